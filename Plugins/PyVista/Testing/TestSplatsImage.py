@@ -132,6 +132,35 @@ class Media(Picture):
         self.assertLess(np.abs(coarse - exact).mean(), 0.02)
 
 
+class Balls(Picture):
+    """Cells that meet at the axis and in the centre of a ball are needles; no splat of them makes a spike."""
+
+    def depth(self, add, mesh, direction):
+        self.plotter.clear()
+        add(self.plotter, mesh, "one", color="white", opacity=1.0, opacity_unit_distance=1)
+        self.plotter.enable_parallel_projection()
+        self.plotter.camera.focal_point = mesh.center
+        self.plotter.camera.position = np.array(mesh.center) + 5 * np.array(direction)
+        self.plotter.camera.up = (0.1, 1, 0.2)
+        self.plotter.camera.parallel_scale = 0.8
+        self.plotter.camera.clipping_range = (1, 20)
+        self.plotter.render()
+        return -np.log1p(-self.plotter.screenshot().astype(float)[..., 0] / 255)
+
+    def test_solid_spheres(self):
+        for label, ball in (("solid", pyvista.SolidSphere()), ("fine", pyvista.SolidSphere(theta_resolution=60, phi_resolution=30, radius_resolution=8)),
+                            ("hollow", pyvista.SolidSphere(inner_radius=0.2, theta_resolution=40, phi_resolution=20))):
+            for attributes, count in ((ball.point_data, ball.n_points), (ball.cell_data, ball.n_cells)):
+                ball.clear_data()
+                attributes["one"] = np.ones(count)
+                for direction in ((0, 0, 1), (1, 0, 0), (0.4, 0.5, 0.77)):
+                    splats, cells = (self.depth(add, ball, direction) for add in (nephoscope.add_splats, nephoscope.add_cells))
+                    print(f"  {label}, {'cells' if count == ball.n_cells else 'points'}, along {direction}: mean {splats.mean() / cells.mean():.3f}, "
+                          f"greatest {splats.max() / cells.max():.2f} of that of cells, difference {np.sqrt(((splats - cells)**2).mean()) / cells.max():.3f}")
+                    self.assertAlmostEqual(splats.mean() / cells.mean(), 1, delta=0.01)
+                    self.assertLess(splats.max(), 1.45 * cells.max())
+
+
 class Wind(Picture):
     def streaks(self, **options):
         return self.add(slab(1, 40), "one", opacity=0.0, vectors=dict(array="east", phase_cycles=1, **options))

@@ -122,8 +122,13 @@ void SplatGridSeam::MendEdge(vtkIdType id, SplatMatrix& jacobian) const
   if (this->Closed && this->Column(id) == this->Whole[2 * this->Axis])
   {
     const Vector3 across = this->PlaceOf(1, this->Row(id)) - this->PlaceOf(2, this->Row(id));
-    jacobian[static_cast<std::size_t>(this->Axis)] = { { 0.5 * across[0], 0.5 * across[1],
-      0.5 * across[2] } };
+    Vector3& column = jacobian[static_cast<std::size_t>(this->Axis)];
+    // At a pole there is no length across; beside it needles have been widened.
+    const double length = 0.5 * norm(across), widened = norm(column);
+    const double scale = 0.5 * (widened > 1.5 * length ? widened / length : 1.0);
+    column = length > 1e-6 * widened
+      ? Vector3{ { scale * across[0], scale * across[1], scale * across[2] } }
+      : column;
   }
 }
 

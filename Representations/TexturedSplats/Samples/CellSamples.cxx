@@ -5,6 +5,7 @@
 #include "HiddenSamples.h"
 #include "HigherOrderCells.h"
 #include "RobustBounds.h"
+#include "SplatNeedles.h"
 #include "SplatSamples.h"
 
 #include "vtkCell.h"
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace nephoscope
 {
@@ -56,6 +58,13 @@ constexpr CellKind hexahedron{ 8,
 constexpr CellKind wedge{ 6,
   { { 1, 2, 3 }, { 0, 2, 4 }, { 0, 1, 5 }, { 0, 4, 5 }, { 1, 3, 5 }, { 2, 3, 4 } }, 3,
   { { 0, 1, 2, 5 }, { 0, 1, 5, 4 }, { 0, 4, 5, 3 } } };
+
+// Faces of a hexahedron, from each of their edges on, and the corners on the other side.
+constexpr int collapsed[12][8] = { { 0, 1, 2, 3, 4, 5, 6, 7 }, { 1, 2, 3, 0, 5, 6, 7, 4 },
+  { 2, 3, 0, 1, 6, 7, 4, 5 }, { 3, 0, 1, 2, 7, 4, 5, 6 }, { 0, 4, 5, 1, 3, 7, 6, 2 },
+  { 4, 5, 1, 0, 7, 6, 2, 3 }, { 5, 1, 0, 4, 6, 2, 3, 7 }, { 1, 0, 4, 5, 2, 3, 7, 6 },
+  { 0, 3, 7, 4, 1, 2, 6, 5 }, { 3, 7, 4, 0, 2, 6, 5, 1 }, { 7, 4, 0, 3, 6, 5, 1, 2 },
+  { 4, 0, 3, 7, 5, 1, 2, 6 } };
 
 using Shares = std::vector<CellShare>;
 
@@ -159,7 +168,7 @@ public:
     }
     else if (type == VTK_HEXAHEDRON)
     {
-      this->AddSolid(hexahedron, this->Points->GetPointer(0));
+      this->AddHexahedron();
     }
     else if (type == VTK_VOXEL)
     {
@@ -170,6 +179,10 @@ public:
     else if (type == VTK_WEDGE)
     {
       this->AddSolid(wedge, this->Points->GetPointer(0));
+    }
+    else if (type == VTK_PYRAMID)
+    {
+      this->AddPyramid(this->Points->GetPointer(0));
     }
     else if (type == VTK_QUAD) // parts would favour one diagonal
     {
@@ -202,11 +215,12 @@ private:
       return;
     }
     CellShare whole = share;
-    whole.Angle = whole.MeanAngle = 0; // the share of all corners is the cell
+    whole.Angle = whole.MeanAngle = whole.LatticeAngle = 0; // the share of all corners is the cell
     this->All[static_cast<std::size_t>(this->Id)].Add(whole);
   }
 
-  void AddSolid(const CellKind& kind, const vtkIdType* points)
+  // `times`: of parts of a cell that overlap.
+  void AddSolid(const CellKind& kind, const vtkIdType* points, double times = 1)
   {
     Vector3 x[8];
     for (int i = 0; i < kind.Corners; ++i)
@@ -217,7 +231,7 @@ private:
     for (int t = 0; t < kind.NumberOfTetrahedra; ++t)
     {
       const int* c = kind.Tetrahedra[t];
-      volume += std::abs(signedVolume(x[c[0]], x[c[1]], x[c[2]], x[c[3]]));
+      volume += times * std::abs(signedVolume(x[c[0]], x[c[1]], x[c[2]], x[c[3]]));
     }
     SplatMatrix edges[8] = {};
     double angles[8], all = 0;
@@ -229,7 +243,7 @@ private:
         e[k] = x[kind.Neighbors[i][k]] - x[i];
         AddOuterProduct(edges[i], e[k]);
       }
-      angles[i] = SolidAngle(e[0], e[1], e[2]) / sphere;
+      angles[i] = times * SolidAngle(e[0], e[1], e[2]) / sphere;
       all += angles[i];
     }
     for (int i = 0; i < kind.Corners && all > 0; ++i)
@@ -241,10 +255,42 @@ private:
       share.Angle = angles[i];
       share.Tetrahedra = kind.Corners == 4;
       share.MeanAngle = kind.Corners == 4 ? angles[i] : even;
+      share.LatticeAngle =
+        kind.Corners == 6 ? 0.5 * (angles[i] + angles[(i + 3) % 6]) : share.MeanAngle;
       share.Size = volume * share.MeanAngle / all;
       AddWeighted(share.Edges, edges[i], share.MeanAngle);
       this->Give(points[i], share);
     }
+  }
+
+  // Half of it by each of the diagonals of its base.
+  void AddPyramid(const vtkIdType* p)
+  {
+    const vtkIdType parts[4][4] = { { p[0], p[1], p[2], p[4] }, { p[0], p[2], p[3], p[4] },
+      { p[0], p[1], p[3], p[4] }, { p[1], p[2], p[3], p[4] } };
+    for (const auto& part : parts)
+    {
+      this->AddSolid(tetrahedron, part, 0.5);
+    }
+  }
+
+  // Where two of its edges have no length, at an axis, it is a wedge.
+  void AddHexahedron()
+  {
+    const vtkIdType* p = this->Points->GetPointer(0);
+    const auto same = [&](int a, int b) {
+      return placeOf(this->Places, p[a]) == placeOf(this->Places, p[b]);
+    };
+    for (const auto& c : collapsed)
+    {
+      if (same(c[0], c[1]) && same(c[4], c[5]))
+      {
+        const vtkIdType corners[6] = { p[c[0]], p[c[2]], p[c[3]], p[c[4]], p[c[6]], p[c[7]] };
+        this->AddSolid(wedge, corners);
+        return;
+      }
+    }
+    this->AddSolid(hexahedron, p);
   }
 
   // A cell of two dimensions, one edge after the other.
@@ -267,6 +313,7 @@ private:
       share.Size = area / static_cast<double>(count);
       share.Angle = std::atan2(norm(cross(a, b)), dot(a, b)) / circle;
       share.MeanAngle = 0.5 * (static_cast<double>(count) - 2) / static_cast<double>(count);
+      share.LatticeAngle = count == 3 ? share.Angle : share.MeanAngle;
       SplatMatrix edges{}, normals{};
       AddOuterProduct(edges, a);
       AddOuterProduct(edges, b);
@@ -317,7 +364,7 @@ namespace
 // One-sided points take the shape of the others of their cells.
 void shareShapes(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>& places)
 {
-  std::map<vtkIdType, SplatMatrix> shapes;
+  std::map<vtkIdType, std::pair<SplatMatrix, int>> shapes; // sums
   vtkNew<vtkIdList> points;
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
   {
@@ -332,14 +379,17 @@ void shareShapes(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>&
         if (shares[static_cast<std::size_t>(a)].IsOneSided() && other.Dimension == 3 &&
           !other.IsOneSided())
         {
-          AddWeighted(shapes[a], other.Edges, 1 / other.MeanAngle);
+          AddWeighted(shapes[a].first, other.Edges, 1 / other.MeanAngle);
+          ++shapes[a].second;
         }
       }
     }
   }
   for (const auto& shape : shapes)
   {
-    shares[static_cast<std::size_t>(shape.first)].Edges = shape.second;
+    CellShare& share = shares[static_cast<std::size_t>(shape.first)];
+    share.Edges = {};
+    AddWeighted(share.Edges, shape.second.first, share.MeanAngle / shape.second.second);
   }
 }
 }
@@ -348,8 +398,10 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
 {
   const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   Shares shares(static_cast<std::size_t>(count));
-  this->Places = onCells || !hasExtendedCells(data) ? std::vector<vtkIdType>() : findPlaces(data);
-  CellShares cells(data, shares, this->Places, onCells);
+  const std::vector<vtkIdType> places =
+    hasExtendedCells(data) ? findPlaces(data) : std::vector<vtkIdType>();
+  this->Places = onCells ? std::vector<vtkIdType>() : places;
+  CellShares cells(data, shares, places, onCells);
   const std::vector<unsigned char> hidden = FindHiddenCells(data);
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
   {
@@ -360,7 +412,7 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
   }
   if (!onCells)
   {
-    shareShapes(data, shares, this->Places);
+    shareShapes(data, shares, places);
   }
   this->Shapes.clear();
   this->Parts.clear();
@@ -374,12 +426,16 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
     }
     this->Shapes.resize(shares.size(), std::array<float, 9>{});
     this->Parts.resize(shares.size(), 1.0f);
-    this->Parts[i] = onCells ? 1.0f : static_cast<float>(share.Around());
+    this->Parts[i] = static_cast<float>((onCells ? 1.0 : share.Around()) * share.Fill());
     const SplatMatrix jacobian = share.Jacobian();
     for (std::size_t c = 0; c < 9; ++c)
     {
       this->Shapes[i][c] = static_cast<float>(jacobian[c / 3][c % 3]);
     }
+  }
+  if (!this->Shapes.empty())
+  {
+    WidenNeedles(data, onCells, places, hidden, { this->Shapes, this->Parts });
   }
 }
 

@@ -86,6 +86,7 @@ struct CellShare
   double Size = 0;         // volume or area
   double Angle = 0;        // share of all directions that the cells lie in
   double MeanAngle = 0;    // the same, if all corners of a hexahedron or wedge were alike
+  double LatticeAngle = 0; // the same, if corners were alike along and across those cells
   bool Tetrahedra = false; // some of the cells are tetrahedra
   SplatMatrix Edges{};     // sum over corners of e e^T over the edges there, weighted
   SplatMatrix Normals{};   // of surfaces: sum of n n^T over unit normals, weighted
@@ -104,6 +105,7 @@ struct CellShare
     this->Size += other.Size;
     this->Angle += other.Angle;
     this->MeanAngle += other.MeanAngle;
+    this->LatticeAngle += other.LatticeAngle;
     this->Tetrahedra |= other.Tetrahedra;
     AddWeighted(this->Edges, other.Edges, 1);
     AddWeighted(this->Normals, other.Normals, 1);
@@ -113,7 +115,7 @@ struct CellShare
   bool IsOneSided() const { return this->Dimension == 3 && this->Tetrahedra && this->Angle < 0.45; }
 
   // The part of the ball that the cells fill.
-  double Around() const { return this->Angle > 0.999 ? this->Angle : this->MeanAngle; }
+  double Around() const { return this->Angle > 0.999 ? this->Angle : this->LatticeAngle; }
 
   // The edge of a ball's cell that is as large; 0 if there is no cell. On a boundary cells lie on one side: as much is added on the other;
   // there cells that go on beyond it count, as in a lattice, whose corners at an oblique edge are not alike.
@@ -124,10 +126,25 @@ struct CellShare
     return this->Dimension == 3 ? std::cbrt(size) : std::sqrt(size);
   }
 
+  // Where many thin tetrahedra meet in a point, little of them falls to it, far less than its edges span: its shape is that of the edges, and this
+  // is the part of it that counts. Else 1.
+  double Fill() const
+  {
+    constexpr double least = 0.1;
+    if (this->Dimension < 3 || !(this->MeanAngle > 0))
+    {
+      return 1;
+    }
+    const double spanned =
+      Determinant(TriangularRoot(this->Edges)) / std::pow(this->MeanAngle, 1.5);
+    const double fill = spanned > 0 ? std::pow(this->EdgeLength(), 3) / spanned : 1.0;
+    return fill < least ? fill : 1.0;
+  }
+
   // Jacobian of the sample: the mean of the corners' edges, scaled to the volume.
   SplatMatrix Jacobian() const
   {
-    const double edge = this->EdgeLength();
+    const double edge = this->EdgeLength() / std::cbrt(this->Fill());
     SplatMatrix root = TriangularRoot(this->Dimension < 3 ? this->SurfaceEdges(edge) : this->Edges);
     const double volume = Determinant(root);
     if (!(volume > 0))

@@ -95,6 +95,7 @@ GridSamples::GridSamples(vtkDataSet* data, bool onCells)
   else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
   {
     structured->GetDimensions(this->PointDimensions);
+    this->Curved = true;
   }
   else
   {
@@ -207,41 +208,127 @@ Vector3 GridSamples::EdgeOfCell(const int index[3], int axis) const
   return edge;
 }
 
+// Between the samples on both sides along an axis; false where there are none.
+bool GridSamples::FindColumn(const int index[3], int axis, Vector3& column) const
+{
+  int before[3] = { index[0], index[1], index[2] };
+  int after[3] = { index[0], index[1], index[2] };
+  before[axis] = std::max(index[axis] - 1, 0);
+  after[axis] = std::min(index[axis] + 1, this->Dimensions[axis] - 1);
+  int steps = after[axis] - before[axis];
+  if (this->Closed[axis] && steps == 1) // across the seam
+  {
+    before[axis] = index[axis] == 0 ? this->Dimensions[axis] - 2 : index[axis] - 1;
+    after[axis] = 1;
+    steps = 2;
+  }
+  if (steps > 0)
+  {
+    const Vector3 step = this->At(after) - this->At(before);
+    column = { { step[0] / steps, step[1] / steps, step[2] / steps } };
+  }
+  else if (this->OnCells && this->PointDimensions[axis] > 1)
+  {
+    column = this->EdgeOfCell(index, axis);
+  }
+  else
+  {
+    return false;
+  }
+  return true;
+}
+
 SplatMatrix GridSamples::Jacobian(vtkIdType id) const
+{
+  int index[3];
+  this->IndexOf(id, index);
+  double share;
+  return this->WideColumns(index, share);
+}
+
+// Those of the cell, but wider where it is a needle; `share`: by how much the cell is less.
+SplatMatrix GridSamples::WideColumns(const int index[3], double& share) const
 {
   SplatMatrix columns{};
   std::array<bool, 3> missing{};
-  int index[3];
-  this->IndexOf(id, index);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    int before[3] = { index[0], index[1], index[2] };
-    int after[3] = { index[0], index[1], index[2] };
-    before[axis] = std::max(index[axis] - 1, 0);
-    after[axis] = std::min(index[axis] + 1, this->Dimensions[axis] - 1);
-    int steps = after[axis] - before[axis];
-    if (this->Closed[axis] && steps == 1) // across the seam
+    missing[axis] = !this->FindColumn(index, static_cast<int>(axis), columns[axis]);
+  }
+  Vector3 widths{};
+  if (this->Curved)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      before[axis] = index[axis] == 0 ? this->Dimensions[axis] - 2 : index[axis] - 1;
-      after[axis] = 1;
-      steps = 2;
-    }
-    if (steps > 0)
-    {
-      const Vector3 step = this->At(after) - this->At(before);
-      columns[axis] = { { step[0] / steps, step[1] / steps, step[2] / steps } };
-    }
-    else if (this->OnCells && this->PointDimensions[axis] > 1)
-    {
-      columns[axis] = this->EdgeOfCell(index, static_cast<int>(axis));
-    }
-    else
-    {
-      missing[axis] = true;
+      widths[axis] = missing[axis] ? 0.0 : this->WidthBeside(index, axis, columns);
     }
   }
   thicken(columns, missing);
+  share = 1;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double length = norm(columns[axis]);
+    if (widths[axis] > length && length > 0)
+    {
+      share *= length / widths[axis];
+      columns[axis] = scaled(columns[axis], widths[axis] / length);
+    }
+  }
   return columns;
+}
+
+// How long a column becomes at the next samples along another axis: the least and the greatest length. Where the grid ends it goes on as before.
+std::array<double, 2> GridSamples::LengthsBeside(
+  const int index[3], int axis, int along, double own) const
+{
+  double lengths[2];
+  bool found[2];
+  for (int side = 0; side < 2; ++side)
+  {
+    int next[3] = { index[0], index[1], index[2] };
+    next[along] += 2 * side - 1;
+    const int period = this->Dimensions[along] - 1;
+    next[along] = this->Closed[along] ? (next[along] + period) % period : next[along];
+    Vector3 column{};
+    found[side] = next[along] >= 0 && next[along] <= period && this->FindColumn(next, axis, column);
+    lengths[side] = norm(column);
+  }
+  for (int side = 0; side < 2; ++side)
+  {
+    lengths[side] = found[side] ? lengths[side] : found[1 - side] ? 2 * own - lengths[1 - side] : own;
+  }
+  return { { std::min(lengths[0], lengths[1]), std::max(lengths[0], lengths[1]) } };
+}
+
+/*
+ * The width that a column needs where cells meet at an axis or a centre, which they are directed to by another column: the length of that. 0 elsewhere. A column of no
+ * length gets that of the cell's middle, across the others: half of the cell is as wide on the mean as a quarter of the next.
+ */
+double GridSamples::WidthBeside(const int index[3], std::size_t axis, SplatMatrix& columns) const
+{
+  constexpr double vanishing = 1e-3, narrow = 0.25;
+  const double own = norm(columns[axis]);
+  double width = 0;
+  for (std::size_t turn = 1; turn < 3; ++turn)
+  {
+    const std::size_t along = (axis + turn) % 3;
+    const double length = norm(columns[along]);
+    if (this->Dimensions[along] < 2 || !(length > 0))
+    {
+      continue;
+    }
+    const auto beside =
+      this->LengthsBeside(index, static_cast<int>(axis), static_cast<int>(along), own);
+    if (beside[1] > 0 && own <= vanishing * beside[1])
+    {
+      const Vector3 normal = cross(columns[(axis + 1) % 3], columns[(axis + 2) % 3]);
+      const Vector3 direction = norm(normal) > 0 ? normal : acrossOf(columns[along]);
+      columns[axis] = scaled(direction, 0.25 * beside[1] / norm(direction));
+      return length;
+    }
+    width = beside[0] < narrow * own ? std::max(width, length) : width;
+  }
+  return width;
 }
 
 double GridSamples::ShareInGrid(vtkIdType id) const
@@ -316,6 +403,18 @@ double GridSamples::ShareInShown(vtkIdType id) const
     counts[1] += 1;
   }
   return volumes[1] > 0 ? volumes[0] / volumes[1] : counts[1] > 0 ? counts[0] / counts[1] : 1;
+}
+
+double GridSamples::ShareInShape(vtkIdType id) const
+{
+  int index[3];
+  this->IndexOf(id, index);
+  double share = 1;
+  if (this->Curved)
+  {
+    this->WideColumns(index, share);
+  }
+  return share;
 }
 
 } // namespace nephoscope

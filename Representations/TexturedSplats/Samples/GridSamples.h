@@ -8,6 +8,8 @@
 
 #include "vtkType.h"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -41,7 +43,8 @@ public:
   }
   /** Whether the point is in the last column of a grid that comes back to where it began along one of its axes (SplatSeam.h). */
   bool IsRepeated(vtkIdType id) const;
-  /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. */
+  /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. Needles
+   * are wider than their cells. */
   SplatMatrix Jacobian(vtkIdType id) const;
 
   /** Cells that do not count, one flag each; none if empty. */
@@ -50,8 +53,14 @@ public:
   double ShareInGrid(vtkIdType id) const;
   /** The part of that where cells are not hidden. */
   double ShareInShown(vtkIdType id) const;
+  /** By how much the cell of a sample is less than its shape: where cells meet at an axis they are needles, and shapes are wider (SplatNeedles.h). */
+  double ShareInShape(vtkIdType id) const;
 
 private:
+  bool FindColumn(const int index[3], int axis, Vector3& column) const;
+  SplatMatrix WideColumns(const int index[3], double& share) const;
+  std::array<double, 2> LengthsBeside(const int index[3], int axis, int along, double own) const;
+  double WidthBeside(const int index[3], std::size_t axis, SplatMatrix& columns) const;
   vtkIdType CellAround(const int index[3], int octant, SplatMatrix& steps) const;
   vtkIdType CornerOf(const int index[3], int corner) const;
   Vector3 At(const int index[3]) const;
@@ -62,6 +71,7 @@ private:
   vtkDataSet* Data;
   bool OnCells;
   bool Uniform = false;
+  bool Curved = false;
   bool Closed[3] = { false, false, false }; // along an axis
   int Dimensions[3] = { 0, 0, 0 };          // of the samples
   int PointDimensions[3] = { 0, 0, 0 };

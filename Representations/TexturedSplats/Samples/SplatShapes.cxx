@@ -270,7 +270,8 @@ double SplatShapes::ShareInShown(vtkIdType id) const
       ? this->ShapeArray->GetComponent(id, jacobianSize)
       : 1.0;
   }
-  return this->Grid.IsGrid() ? this->Grid.ShareInShown(id) : this->Cells.Share(id);
+  return this->Grid.IsGrid() ? this->Grid.ShareInShown(id) * this->Grid.ShareInShape(id)
+                             : this->Cells.Share(id);
 }
 
 // Parts that are few and far away do not count: else all splats would grow with their distance.

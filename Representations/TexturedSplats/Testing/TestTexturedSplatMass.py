@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Mass of splats of points: the optical depth of a uniform medium, integrated over the picture, is its volume times its extinction."""
+"""Mass of splats of points: the optical depth of a uniform medium, integrated over the picture, is its volume times its extinction; and none of it
+is in needles."""
 import unittest
 
 import nephoscope
@@ -20,8 +21,8 @@ SHEAR = np.array([[1, 0.3, 0], [0, 0.8, 0.1], [0.2, 0, 0.5]])
 DIRECTIONS = ((1, 0, 0), (0, 1, 0), (0, 0, 1), (0.4, 0.5, 0.77), (-0.8, 0.3, 0.1))
 
 
-def uniform(data):
-    return meshes.with_field(data, lambda p: 0 * p[:, 0])
+def uniform(data, association="point"):
+    return meshes.with_field(data, lambda p: 0 * p[:, 0], association)
 
 
 def ghosts(attributes, flags):
@@ -62,23 +63,27 @@ def polar(sizes, radii, heights, turn=2 * np.pi):
 
 
 class Mass(ImageTestCase):
-    def draw(self, data, direction, configure=None, margin=1.1):
+    def scale(self, data, margin=1.1):
         """margin: around the data, in their diagonal."""
+        return (0.5 + margin) * data.GetLength()
+
+    def draw(self, data, direction, configure=None, **options):
+        """Its volume by the picture."""
+        return self.depths(data, direction, configure, **options).sum() * (2 * self.scale(data, **options) / PIXELS)**2 / EXTINCTION
+
+    def depths(self, data, direction, configure=None, association="point", **options):
         window = Window((PIXELS, PIXELS))
         scene = window.add_scene()
         mapper = nephoscope.vtkTexturedSplatMapper()
         if configure:
             configure(mapper)
-        scene.add_volume(mapper, uniform(data), constant(EXTINCTION))
-        low, high = np.array(data.GetBounds()).reshape(3, 2).T
-        center, size = (low + high) / 2, np.linalg.norm(high - low)
-        scale = (0.5 + margin) * size
+        scene.add_volume(mapper, uniform(data, association), constant(EXTINCTION), association=association)
+        center, size = np.array(data.GetCenter()), data.GetLength()
         up = (0.1, 1, 0.05) if abs(direction[1]) < 1 else (1, 0.1, 0.05)
-        scene.look(center + 10 * size * np.array(direction), center, up, parallel_scale=scale, near=size, far=30 * size)
+        scene.look(center + 10 * size * np.array(direction), center, up, parallel_scale=self.scale(data, **options), near=size, far=30 * size)
         window.render()
         self.fail_on_messages(window)
-        depth = -np.log1p(-float_image(mapper)[..., 3])
-        return depth.sum() * (2 * scale / PIXELS)**2 / EXTINCTION
+        return -np.log1p(-float_image(mapper)[..., 3])
 
     def check(self, label, data, volume, directions=DIRECTIONS, configure=None, most=0.02, **options):
         worst = max((abs(self.draw(data, d, configure, **options) / volume - 1) for d in directions))
@@ -123,6 +128,18 @@ class Mass(ImageTestCase):
         ball = meshes.shell(48, 24, 4, radii=(0.5, 1.0), top=90)
         self.check("shell", ball, 4 / 3 * np.pi * (1 - 0.5**3))
         self.check("list of its cells", as_list(ball), 4 / 3 * np.pi * (1 - 0.5**3))
+
+    def test_needles_make_no_spike(self):
+        """Cells that meet at an axis: their splats reach across it, and are as wide there as the cells beside them."""
+        grid = polar((6, 65, 5), (0, 2), (0, 3))
+        for label, data in (("grid", grid), ("list of its cells", as_list(grid))):
+            for association in ("point", "cell"):
+                for direction, exact in (((0, 0, 1), 3), ((1, 0, 0), 4)):
+                    depth = self.depths(data, direction, association=association, margin=0.3)
+                    middle = depth[PIXELS // 2 - 8:PIXELS // 2 + 8, PIXELS // 2 - 8:PIXELS // 2 + 8] / EXTINCTION / exact
+                    print(f"  {label}, {association}s, along {direction}: {middle.min():.2f} to {middle.max():.2f} of the depth", flush=True)
+                    self.assertLess(middle.max(), 1.4)
+                    self.assertGreater(middle.min(), 0.75)
 
     def test_hidden_cells(self):
         """Next to them is a border as at the end of the grid; in a list of cells too."""
