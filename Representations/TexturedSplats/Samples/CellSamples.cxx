@@ -453,6 +453,31 @@ bool CellSamples::Get(vtkIdType id, SplatMatrix& jacobian) const
   return true;
 }
 
+Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id)
+{
+  vtkNew<vtkIdList> corners;
+  data->GetCellPoints(id, corners);
+  std::vector<Vector3> places;
+  for (const vtkIdType corner : *corners)
+  {
+    Vector3 x;
+    data->GetPoint(corner, x.data());
+    if (std::find(places.begin(), places.end(), x) == places.end())
+    {
+      places.push_back(x);
+    }
+  }
+  Vector3 sum{};
+  for (const Vector3& x : places)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sum[c] += x[c] / static_cast<double>(places.size());
+    }
+  }
+  return sum;
+}
+
 std::vector<float> FindNeighborSpacing(vtkDataSet* data)
 {
   const vtkIdType count = data->GetNumberOfPoints();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatNeedles.h"
 
+#include "CellSamples.h"
 #include "CellShape.h"
 #include "SplatMatrix.h"
 
@@ -190,7 +191,7 @@ public:
     forCorners([&](std::size_t cell, std::size_t corner) {
       SplatMatrix mean{};
       AddWeighted(mean, means[corner], 1.0 / counts[corner]);
-      this->Needles[cell].Compare(mean, this->PlaceOf(corner) - this->Middle());
+      this->Needles[cell].Compare(mean, this->PlaceOf(corner) - CenterOfCell(this->Data, static_cast<vtkIdType>(cell)));
     });
     this->Widen();
   }
@@ -221,21 +222,6 @@ private:
     Vector3 x;
     this->Data->GetPoint(static_cast<vtkIdType>(point), x.data());
     return x;
-  }
-
-  Vector3 Middle() const
-  {
-    Vector3 sum{};
-    const vtkIdType count = this->Corners->GetNumberOfIds();
-    for (vtkIdType c = 0; c < count; ++c)
-    {
-      const Vector3 x = this->PlaceOf(this->CornerOf(c));
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        sum[i] += x[i] / static_cast<double>(count);
-      }
-    }
-    return sum;
   }
 
   bool HasShape(std::size_t i) const { return this->Splats.Shapes[i][0] != 0; }

@@ -11,9 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkMath.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
@@ -30,24 +28,6 @@ namespace
 constexpr double flatShare = 0.02, thinnest = 1e-4;
 
 constexpr int jacobianSize = 9;
-
-// The mean of its corners.
-Vector3 centerOfCell(vtkDataSet* data, vtkIdType id)
-{
-  vtkNew<vtkIdList> corners;
-  data->GetCellPoints(id, corners);
-  Vector3 sum{};
-  for (vtkIdType i = 0; i < corners->GetNumberOfIds(); ++i)
-  {
-    double x[3];
-    data->GetPoint(corners->GetId(i), x);
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      sum[c] += x[c] / static_cast<double>(corners->GetNumberOfIds());
-    }
-  }
-  return sum;
-}
 
 vtkDataArray* sizeArrayOf(vtkDataSet* data, const SplatSampling& sampling)
 {
@@ -204,7 +184,7 @@ Vector3 PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdTy
   }
   if (onCells)
   {
-    return centerOfCell(data, id);
+    return CenterOfCell(data, id);
   }
   Vector3 place;
   data->GetPoint(id, place.data());
