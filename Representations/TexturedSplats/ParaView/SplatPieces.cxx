@@ -8,6 +8,7 @@
 #include "SplatOwners.h"
 #include "SplatSamples.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -169,6 +170,45 @@ vtkSmartPointer<vtkDataArray> shapesOf(
   }
   return array;
 }
+// Of the samples of all ranks. Collective.
+vtkBoundingBox boundsOverRanks(const SplatShapes& shapes, vtkIdList* ids)
+{
+  vtkBoundingBox mine, all;
+  for (const vtkIdType id : *ids)
+  {
+    mine.AddPoint(shapes.Place(id).data());
+  }
+  vtkMultiProcessController::GetGlobalController()->AllReduce(mine, all);
+  return all;
+}
+
+// Samples may lie in a plane. ParaView ends if it has to divide that along the axis across it: two points without cells give it an extent, not the same on both
+// sides, so that no border between ranks lies in the plane. Collective.
+void padFlatBounds(vtkUnstructuredGrid* vertices, const SplatShapes& shapes, vtkIdList* ids)
+{
+  constexpr double flat = 1e-6, before = 1.0, after = 1.7;
+  const vtkBoundingBox bounds = boundsOverRanks(shapes, ids);
+  if (ids->GetNumberOfIds() == 0)
+  {
+    return;
+  }
+  const double edge = LargestStretch(shapes.Jacobian(ids->GetId(0)));
+  double low[3], high[3];
+  bool padded = false;
+  const Vector3 place = shapes.Place(ids->GetId(0));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const bool isFlat = bounds.GetLength(axis) <= flat * bounds.GetMaxLength();
+    low[axis] = place[static_cast<std::size_t>(axis)] - (isFlat ? before * edge : 0.0);
+    high[axis] = place[static_cast<std::size_t>(axis)] + (isFlat ? after * edge : 0.0);
+    padded = padded || isFlat;
+  }
+  if (padded)
+  {
+    vertices->GetPoints()->InsertNextPoint(low);
+    vertices->GetPoints()->InsertNextPoint(high);
+  }
+}
 } // namespace
 
 const char* const splatShapeName = "NephoscopeSplatShape";
@@ -195,6 +235,7 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling
     data->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT));
   vertices->GetCellData()->AddArray(shapesOf(shapes, ids, seams));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
+  padFlatBounds(vtkUnstructuredGrid::SafeDownCast(vertices), shapes, ids);
   return vertices;
 }
 
