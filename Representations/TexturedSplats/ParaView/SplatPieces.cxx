@@ -11,6 +11,7 @@
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
@@ -53,6 +54,17 @@ std::vector<bool> ownedByExtent(
   return owned;
 }
 
+// Then cells that several ranks have are marked. Some sources give cells of neighbours to a rank that asks for them, and do not mark them (trees of hyper tree
+// grids). Collective.
+bool anyRankHasGhosts(vtkDataSet* data)
+{
+  const int mine = data->GetCellGhostArray() ? 1 : 0;
+  int any = 0;
+  vtkMultiProcessController::GetGlobalController()->AllReduce(
+    &mine, &any, 1, vtkCommunicator::MAX_OP);
+  return any != 0;
+}
+
 // Visible samples, each on one rank only.
 vtkSmartPointer<vtkIdList> ownIds(
   vtkDataSet* data, const SplatShapes& shapes, bool onCells, std::vector<SplatGridSeam>& seams)
@@ -74,9 +86,10 @@ vtkSmartPointer<vtkIdList> ownIds(
   {
     seams.emplace_back(data, extents, axis);
   }
-  const std::vector<bool> owned = onCells ? std::vector<bool>(ids.size(), true)
-    : structured                          ? ownedByExtent(data, ids, extents)
-                                          : ownedByThisRank(places);
+  const bool apart = onCells && (structured || anyRankHasGhosts(data));
+  const std::vector<bool> owned = apart ? std::vector<bool>(ids.size(), true)
+    : structured                        ? ownedByExtent(data, ids, extents)
+                                        : ownedByThisRank(places);
   auto own = vtkSmartPointer<vtkIdList>::New();
   for (std::size_t i = 0; i < ids.size(); ++i)
   {

@@ -77,7 +77,8 @@ public:
       {
         across[c] -= along * offset[c] / length;
       }
-      const double width = dot(across, Times(other, across));
+      const double longest = *std::max_element(this->Squares.begin(), this->Squares.end());
+      const double width = std::min(dot(across, Times(other, across)), longest);
       if (this->Squares[k] < narrow * width)
       {
         this->Needed[k] = std::max(this->Needed[k], wide * width);

@@ -26,7 +26,7 @@ struct CellSplats
 
 /**
  * Widens samples that are less than a third as wide as one beside them, at right angles to the line between both: along it the cells of graded meshes
- * differ. Beside a point are those that it has an edge to; beside a cell its corners, each with the mean of the cells around it. `places`: for each point
+ * differ. None becomes wider than it is long: small cells beside large ones are no needles. Beside a point are those that it has an edge to; beside a cell its corners, each with the mean of the cells around it. `places`: for each point
  * the first one in its place, or empty. `hidden`: flags of cells, or empty.
  */
 void WidenNeedles(vtkDataSet* data, bool onCells, const std::vector<vtkIdType>& places,
