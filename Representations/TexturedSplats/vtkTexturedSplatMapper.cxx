@@ -92,7 +92,9 @@ double* vtkTexturedSplatMapper::GetBounds()
     int cellFlag = 0;
     vtkAbstractMapper::GetScalars(
       input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-    const nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
+    nephoscope::SplatSampling sampling = this->GetSampling(cellFlag == 1);
+    // A rank may draw nothing in its region but splats of others.
+    sampling.Frame.WithNeighbors = sampling.Frame.Origin.has_value();
     const double growth = this->VectorUnit > 0
       ? 1.0
       : std::cbrt(1.0 / std::max(this->VectorFraction, 1e-6)); // see GetStreakUnit

@@ -281,7 +281,9 @@ void moveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix)
 
 vtkSmartPointer<vtkDataSet> chosenVertices(vtkDataSet* vertices, vtkIdList* ids)
 {
-  return verticesOf(SplatShapes(vertices, { true, 1.0 }), ids, vertices->GetCellData());
+  auto chosen = verticesOf(SplatShapes(vertices, { true, 1.0 }), ids, vertices->GetCellData());
+  chosen->GetFieldData()->ShallowCopy(vertices->GetFieldData());
+  return chosen;
 }
 
 } // namespace nephoscope

@@ -31,7 +31,7 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling
 /** Moves the shapes of such vertices as the linear part of a matrix does. */
 void moveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix);
 
-/** Some of such vertices, with their arrays. */
+/** Some of such vertices, with their arrays and those of the whole. */
 vtkSmartPointer<vtkDataSet> chosenVertices(vtkDataSet* vertices, vtkIdList* ids);
 
 } // namespace nephoscope
