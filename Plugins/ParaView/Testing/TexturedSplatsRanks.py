@@ -7,7 +7,8 @@ import numpy as np
 from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "TexturedSplatsRun.py"
-ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "stray", "turned", "globe", "numbered", "numbered-image", "no-vectors")
+ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "stray", "turned", "globe", "numbered", "numbered-image",
+               "slice", "flat", "flat-cells", "trees", "cells-of-trees", "no-vectors")
 NAMES = ONE_PICTURE + ("hierarchy",)
 
 

@@ -25,5 +25,13 @@ draw_globe("globe")
 # Which gives points of the layer of other ranks to the rank that has the layer.
 draw("numbered", pvs.GenerateGlobalIds(Input=tetrahedra))
 draw("numbered-image", pvs.GenerateGlobalIds(Input=wavelet))
+# In a plane at right angles to the first axis, which borders between ranks are at right angles to as well, and to the last.
+draw("slice", pvs.Slice(Input=wavelet, SliceType="Plane"))
+draw("flat", pvs.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0]))
+draw("flat-cells", pvs.PointDatatoCellData(Input=pvs.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0])), ("CELLS", "RTData"))
+# Whose source gives each rank trees of its neighbours, without marks.
+trees = pvs.RandomHyperTreeGrid() if hasattr(pvs, "RandomHyperTreeGrid") else pvs.HyperTreeGridRandom()
+draw("trees", trees, ("CELLS", "Depth"))
+draw("cells-of-trees", pvs.HyperTreeGridToUnstructuredGrid(Input=trees), ("CELLS", "Depth"))
 draw("no-vectors", wavelet, VectorArray="RTData")  # which has one component
 passed()

@@ -95,8 +95,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     """Add the points or cells of a dataset to a plotter as splats drawn by `vtkTexturedSplatMapper`.
 
     Every sample is a kernel in the shape of its grid cell, or a ball if there is no grid. Its extinction coefficient is opacity *
-    `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats. Points at the boundary of a grid
-    have whole cells, which reach half a cell beyond the mesh; cell arrays do not.
+    `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats. A point on the boundary of a mesh
+    has the part of its cell that lies inside, so that the mass is that of `add_cells`; the kernels blur the boundary over half a cell.
 
     Parameters
     ----------

@@ -145,7 +145,7 @@ vtkSmartPointer<vtkDataSet> verticesOf(
   return vertices;
 }
 
-// Of a point of a grid on several ranks: not this rank's piece has the ends that count, but the whole grid.
+// For a point of a grid on several ranks: not this rank's piece has the ends that count, but the whole grid.
 double shareOf(const SplatShapes& shapes, vtkIdType id, const std::vector<SplatGridSeam>& seams)
 {
   if (seams.empty())
@@ -183,7 +183,7 @@ vtkSmartPointer<vtkDataArray> shapesOf(
   }
   return array;
 }
-// Of the samples of all ranks. Collective.
+// Bounds of the samples of all ranks. Collective.
 vtkBoundingBox boundsOverRanks(const SplatShapes& shapes, vtkIdList* ids)
 {
   vtkBoundingBox mine, all;

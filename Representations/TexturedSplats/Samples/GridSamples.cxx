@@ -295,7 +295,9 @@ std::array<double, 2> GridSamples::LengthsBeside(
   }
   for (int side = 0; side < 2; ++side)
   {
-    lengths[side] = found[side] ? lengths[side] : found[1 - side] ? 2 * own - lengths[1 - side] : own;
+    lengths[side] = found[side] ? lengths[side]
+      : found[1 - side]         ? 2 * own - lengths[1 - side]
+                                : own;
   }
   return { { std::min(lengths[0], lengths[1]), std::max(lengths[0], lengths[1]) } };
 }

@@ -119,16 +119,15 @@ std::vector<WeightedPlace> weightedPlaces(const SplatShapes& shapes)
   std::vector<WeightedPlace> places;
   const SampleChoice choice(shapes.GetNumberOfIds(), enoughPlaces);
   vtkIdType shown = 0;
-  forEachSample(shapes,
-    [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian, double) {
-      if (choice.Takes(shown++))
-      {
-        const auto standing =
-          static_cast<double>(choice.Standing()); // processes choose from different numbers
-        places.push_back(
-          { { place[0], place[1], place[2] }, standing * weightOf(jacobian), standing });
-      }
-    });
+  forEachSample(shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian, double) {
+    if (choice.Takes(shown++))
+    {
+      const auto standing =
+        static_cast<double>(choice.Standing()); // processes choose from different numbers
+      places.push_back(
+        { { place[0], place[1], place[2] }, standing * weightOf(jacobian), standing });
+    }
+  });
   return places;
 }
 } // namespace
@@ -158,28 +157,28 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   const SplatShapes shapes(data, sampling);
   const SampleChoice choice(shapes.GetNumberOfIds());
   vtkIdType shown = 0, sampled = 0;
-  forEachSample(shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian,
-                          double share) {
-    addPlace(measures.Bounds, place.data());
-    const Vector3 half = halfWithin(jacobian, share);
-    if (!SampleBox(place, half).LiesIn(common))
-    {
-      return;
-    }
-    const SampleBox cell(place, halfExtent(jacobian));
-    measures.AddPlace(common, place.data(), half.data());
-    if (!choice.Takes(shown++))
-    {
-      return;
-    }
-    ++sampled;
-    const double scalar = scalars ? scalarOf(scalars, id) : 0.0;
-    const double a = norm(jacobian[0]), b = norm(jacobian[1]), c = norm(jacobian[2]);
-    measures.Silhouettes += 0.5 * (a * b + b * c + c * a);
-    measures.AddPart(common,
-      { cell.GetBounds(), share * std::abs(Determinant(jacobian)), scalar,
-        opacity && std::isfinite(scalar) ? opacity(scalar) : 0.0 });
-  });
+  forEachSample(
+    shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian, double share) {
+      addPlace(measures.Bounds, place.data());
+      const Vector3 half = halfWithin(jacobian, share);
+      if (!SampleBox(place, half).LiesIn(common))
+      {
+        return;
+      }
+      const SampleBox cell(place, halfExtent(jacobian));
+      measures.AddPlace(common, place.data(), half.data());
+      if (!choice.Takes(shown++))
+      {
+        return;
+      }
+      ++sampled;
+      const double scalar = scalars ? scalarOf(scalars, id) : 0.0;
+      const double a = norm(jacobian[0]), b = norm(jacobian[1]), c = norm(jacobian[2]);
+      measures.Silhouettes += 0.5 * (a * b + b * c + c * a);
+      measures.AddPart(common,
+        { cell.GetBounds(), share * std::abs(Determinant(jacobian)), scalar,
+          opacity && std::isfinite(scalar) ? opacity(scalar) : 0.0 });
+    });
   const double scale =
     sampled > 0 ? static_cast<double>(shown) / static_cast<double>(sampled) : 0.0;
   measures.Scale(scale);

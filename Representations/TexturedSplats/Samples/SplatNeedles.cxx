@@ -128,9 +128,9 @@ void forEachEdge(int type, vtkIdType corners, const Visit& visit)
       const bool ofVoxel = step == (step & -step) && (a & step) == 0;
       const bool ofRing = a / 4 == b / 4 && (step == 1 || step == 3);
       const bool ofHexahedron = ofRing || step == 4;
-      const bool chosen = voxel ? ofVoxel
+      const bool chosen = voxel                      ? ofVoxel
         : type == VTK_HEXAHEDRON || type == VTK_QUAD ? ofHexahedron
-                                                      : true;
+                                                     : true;
       if (chosen)
       {
         visit(a, b);
@@ -192,7 +192,8 @@ public:
     forCorners([&](std::size_t cell, std::size_t corner) {
       SplatMatrix mean{};
       AddWeighted(mean, means[corner], 1.0 / counts[corner]);
-      this->Needles[cell].Compare(mean, this->PlaceOf(corner) - CenterOfCell(this->Data, static_cast<vtkIdType>(cell)));
+      this->Needles[cell].Compare(
+        mean, this->PlaceOf(corner) - CenterOfCell(this->Data, static_cast<vtkIdType>(cell)));
     });
     this->Widen();
   }

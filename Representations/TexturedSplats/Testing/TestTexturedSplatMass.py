@@ -91,7 +91,7 @@ class Mass(ImageTestCase):
         self.assertLess(worst, most, label)
 
     def test_lattices(self):
-        """Of whatever kind of data, from few points to many."""
+        """Any kind of data, from few points to many."""
         for n in (2, 3, 9, 31):
             blocks, box = (n - 1,) * 3, np.prod(SPACING)
             scaled, sheared = lambda p: p * SPACING, lambda p: p @ SHEAR
