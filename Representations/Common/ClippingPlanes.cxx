@@ -5,6 +5,7 @@
 #include "ClippingPlanesShader.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkBoundingBox.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -14,7 +15,9 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
@@ -103,6 +106,38 @@ ClippingPlanes::ClippingPlanes(vtkAbstractMapper* mapper, vtkRenderer* renderer)
     mapper->GetClippingPlanes()->GetItem(i)->GetOrigin(origin);
     mapper->GetClippingPlanes()->GetItem(i)->GetNormal(normal);
     this->Planes.push_back(ToView(origin, normal, toView));
+  }
+}
+
+void ClippingPlanes::AddPlanesOfCamera(vtkRenderer* renderer, const double bounds[6])
+{
+  constexpr double negligible = 5e-3; // of the diagonal
+  vtkCamera* camera = renderer->GetActiveCamera();
+  const vtkBoundingBox box(bounds);
+  if (!box.IsValid() || this->Planes.size() + 2 > mostPlanes)
+  {
+    return;
+  }
+  double least = std::numeric_limits<double>::infinity(),
+         greatest = -least; // distances from the plane of the eye
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double place[4] = { 0, 0, 0, 1 };
+    box.GetCorner(corner, place);
+    camera->GetViewTransformMatrix()->MultiplyPoint(place, place);
+    least = std::min(least, -place[2]);
+    greatest = std::max(greatest, -place[2]);
+  }
+  const double* range = camera->GetClippingRange();
+  const bool isAtEye =
+    !camera->GetParallelProjection() && range[0] < negligible * box.GetDiagonalLength();
+  if (least < range[0] && !isAtEye)
+  {
+    this->Planes.push_back({ { 0, 0, -1, static_cast<float>(-range[0]) } });
+  }
+  if (greatest > range[1])
+  {
+    this->Planes.push_back({ { 0, 0, 1, static_cast<float>(range[1]) } });
   }
 }
 

@@ -29,6 +29,12 @@ public:
   /** Those of the mapper as the renderer's camera sees them. VTK gives them in world coordinates. */
   ClippingPlanes(vtkAbstractMapper* mapper, vtkRenderer* renderer);
 
+  /**
+   * Adds the near and the far plane of the renderer's camera where they pass through the bounds, in world coordinates. Not the near plane of a
+   * perspective view that is so near that the eye may as well be there.
+   */
+  void AddPlanesOfCamera(vtkRenderer* renderer, const double bounds[6]);
+
   /** The problem with the mapper's planes, or empty. */
   static std::string Check(vtkAbstractMapper* mapper);
 

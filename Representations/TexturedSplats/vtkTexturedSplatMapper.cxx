@@ -314,6 +314,7 @@ std::string vtkTexturedSplatMapper::DrawScene(
   nephoscope::SplatDrawingOptions options;
   options.Haze = nephoscope::HazeView(renderer);
   options.Planes = nephoscope::ClippingPlanes(this, renderer);
+  options.Planes.AddPlanesOfCamera(renderer, volume->GetBounds());
   options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
   options.ExtinctionScale = this->GetExtinctionFactor();
   this->SetVectorOptions(options);

@@ -5,7 +5,7 @@ import unittest
 
 import nephoscope
 import numpy as np
-from nephoscope_testing import meshes, splats
+from nephoscope_testing import meshes, reference, splats
 from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer
@@ -43,7 +43,7 @@ class Views(ImageTestCase):
         self.assertEqual(window.gl_errors(), [])
         return scene, float_image(mapper)
 
-    def check(self, label, look, tolerance=TOLERANCE, matrix=None, scale=1.0, offset=0.0):
+    def check(self, label, look, tolerance=TOLERANCE, matrix=None, scale=1.0, offset=0.0, planes=None):
         data = block(scale, offset)
         transfer = Transfer(COLORS.colors, COLORS.opacities * (1, 1 / scale))
         scene, image = self.draw(data, look, transfer, matrix)
@@ -55,13 +55,21 @@ class Views(ImageTestCase):
             jacobians = matrix[:3, :3] @ jacobians
         values = np.array([data.GetPointData().GetArray("s").GetValue(i) for i in range(len(points))])
         extinctions = transfer.extinction(values) * splats.lattice_shares(dimensions)
-        expected = splats.render(scene.view(), points, jacobians, transfer.color(values), extinctions)
+        begin, end = reference.between_planes(scene.view(), planes) if planes else (None, None)
+        expected = splats.render(scene.view(), points, jacobians, transfer.color(values), extinctions, stop=end, begin=begin)
         self.assertGreater(expected[..., 3].max(), 0.25, label)
         self.check_float(image, expected, label, tolerance)
 
-    def test_planes_of_the_camera_cut_nothing(self):
-        self.check("near and far plane inside", lambda s: s.look(EYE, (0, 0, 0), angle=35, near=11, far=11.3))
-        self.check("the same, parallel", lambda s: s.look(EYE, (0, 0, 0), parallel_scale=2.5, near=11, far=11.3))
+    def test_planes_of_the_camera(self):
+        """They end the rays, as those of cells."""
+        along = -EYE / np.linalg.norm(EYE)
+        near, far = np.linalg.norm(EYE) - 0.5, np.linalg.norm(EYE) + 0.3
+        planes = [(EYE + near * along, along), (EYE + far * along, -along)]
+        self.check("near and far plane inside", lambda s: s.look(EYE, (0, 0, 0), angle=35, near=near, far=far), planes=planes)
+        self.check("the same, parallel", lambda s: s.look(EYE, (0, 0, 0), parallel_scale=2.5, near=near, far=far), planes=planes)
+        inside = 0.2 * along
+        self.check("parallel, the eye inside", lambda s: s.look(inside, inside + along, parallel_scale=2.5, near=0.01, far=50),
+                   planes=[(inside + 0.01 * along, along)])
 
     def test_wide_angles(self):
         self.check("wide angle beside", lambda s: s.look((3.6, 1.9, 2.5), (0.3, 0, 0), angle=115, near=1e-2, far=50), NEAR_TOLERANCE)

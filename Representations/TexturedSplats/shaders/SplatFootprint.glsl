@@ -34,7 +34,7 @@ float footprint(float q)
 
 const float farAway = 1.0e37;
 
-// z of a depth. The near and the far plane cut no splats.
+// z of a depth. Where the near and the far plane cut splats, they are among the clipping planes.
 float zOfDepth(float depth)
 {
   float e = 1.0 - depth;
