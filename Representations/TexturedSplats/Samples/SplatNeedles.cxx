@@ -43,6 +43,20 @@ SplatMatrix squareOf(const std::array<float, 9>& shape)
   return square;
 }
 
+// False, at little cost, for nearly all samples of even meshes: the ellipsoid is not three times as long as it is wide. The product of the squares of
+// its three lengths is at most the least one times the square of half the sum of all.
+bool mayBeNeedle(const std::array<float, 9>& shape)
+{
+  const SplatMatrix m = matrixOf(shape);
+  const double volume = Determinant(m);
+  double sum = 0;
+  for (const float x : shape)
+  {
+    sum += double(x) * x;
+  }
+  return sum > 0 && volume * volume < narrow * sum * 0.25 * sum * sum;
+}
+
 // The axes of a sample's ellipsoid and the squares of their lengths, and of the lengths that they need.
 class Needle
 {
@@ -149,11 +163,18 @@ public:
     , Hidden(hidden)
     , Splats(splats)
   {
-    for (const std::array<float, 9>& shape : splats.Shapes)
+    this->Numbers.assign(splats.Shapes.size(), none);
+    for (std::size_t i = 0; i < splats.Shapes.size(); ++i)
     {
-      this->Needles.emplace_back(shape);
+      if (mayBeNeedle(splats.Shapes[i]))
+      {
+        this->Numbers[i] = static_cast<int>(this->Needles.size());
+        this->Needles.emplace_back(splats.Shapes[i]);
+      }
     }
   }
+
+  bool IsEmpty() const { return this->Needles.empty(); }
 
   void WidenPoints()
   {
@@ -164,8 +185,8 @@ public:
         if (this->HasShape(i) && this->HasShape(j))
         {
           const Vector3 offset = this->PlaceOf(j) - this->PlaceOf(i);
-          this->Needles[i].Compare(squareOf(this->Splats.Shapes[j]), offset);
-          this->Needles[j].Compare(squareOf(this->Splats.Shapes[i]), offset);
+          this->Compare(i, j, offset);
+          this->Compare(j, i, offset);
         }
       });
     });
@@ -190,15 +211,33 @@ public:
       ++counts[corner];
     });
     forCorners([&](std::size_t cell, std::size_t corner) {
-      SplatMatrix mean{};
-      AddWeighted(mean, means[corner], 1.0 / counts[corner]);
-      this->Needles[cell].Compare(
-        mean, this->PlaceOf(corner) - CenterOfCell(this->Data, static_cast<vtkIdType>(cell)));
+      if (this->Numbers[cell] != none)
+      {
+        SplatMatrix mean{};
+        AddWeighted(mean, means[corner], 1.0 / counts[corner]);
+        this->NeedleOf(cell).Compare(
+          mean, this->PlaceOf(corner) - CenterOfCell(this->Data, static_cast<vtkIdType>(cell)));
+      }
     });
     this->Widen();
   }
 
 private:
+  static constexpr int none = -1;
+
+  Needle& NeedleOf(std::size_t i)
+  {
+    return this->Needles[static_cast<std::size_t>(this->Numbers[i])];
+  }
+
+  void Compare(std::size_t i, std::size_t other, const Vector3& offset)
+  {
+    if (this->Numbers[i] != none)
+    {
+      this->NeedleOf(i).Compare(squareOf(this->Splats.Shapes[other]), offset);
+    }
+  }
+
   // With its corners.
   template <typename Visit>
   void ForCells(const Visit& visit)
@@ -230,11 +269,11 @@ private:
 
   void Widen()
   {
-    for (std::size_t i = 0; i < this->Needles.size(); ++i)
+    for (std::size_t i = 0; i < this->Numbers.size(); ++i)
     {
-      if (this->HasShape(i) && this->Needles[i].IsWidened())
+      if (this->Numbers[i] != none && this->HasShape(i) && this->NeedleOf(i).IsWidened())
       {
-        this->Needles[i].Widen(this->Splats.Shapes[i], this->Splats.Parts[i]);
+        this->NeedleOf(i).Widen(this->Splats.Shapes[i], this->Splats.Parts[i]);
       }
     }
   }
@@ -243,7 +282,8 @@ private:
   const std::vector<vtkIdType>& Places;
   const std::vector<unsigned char>& Hidden;
   CellSplats Splats;
-  std::vector<Needle> Needles;
+  std::vector<Needle> Needles; // of the samples that may be some
+  std::vector<int> Numbers;    // for each sample, that of its needle
   vtkNew<vtkIdList> Corners;
 };
 }
@@ -252,6 +292,10 @@ void WidenNeedles(vtkDataSet* data, bool onCells, const std::vector<vtkIdType>& 
   const std::vector<unsigned char>& hidden, const CellSplats& splats)
 {
   NeedleFinder finder(data, places, hidden, splats);
+  if (finder.IsEmpty())
+  {
+    return;
+  }
   if (onCells)
   {
     finder.WidenCells();
