@@ -4,20 +4,18 @@
 
 #include "HiddenSamples.h"
 #include "HigherOrderCells.h"
+#include "NeighborSpacing.h"
 #include "RobustBounds.h"
 #include "SplatNeedles.h"
-#include "SplatSamples.h"
 
 #include "vtkCell.h"
 #include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkStaticPointLocator.h"
 
 #include <algorithm>
@@ -32,11 +30,8 @@ namespace
 {
 constexpr double sphere = 12.566370614359172;
 constexpr double circle = 6.283185307179586;
-// On a cubic lattice a ball of as many neighbours is 0.99 cells for each.
-constexpr vtkIdType neighbors = 12;
 // Points closer than this fraction of the bounds' diagonal coincide, to the rounding of float.
 constexpr double samePlace = 2e-7;
-constexpr double unitBall[3] = { 2.0, 0.5 * circle, sphere / 3.0 };
 
 // Which corners each corner has an edge to, and tetrahedra that fill the cell.
 struct CellKind
@@ -87,15 +82,6 @@ bool hasExtendedCells(vtkDataSet* data)
   return false;
 }
 
-// Bounds of the points that are at finite places, without those that are few and far away.
-MediumBounds bulkOf(vtkDataSet* data)
-{
-  return robustBoundsOfPlaces(data->GetNumberOfPoints(), [&](vtkIdType id, double* x) {
-    data->GetPoint(id, x);
-    return std::isfinite(x[0] + x[1] + x[2]);
-  });
-}
-
 double diagonalOf(const MediumBounds& b)
 {
   return std::hypot(b[1] - b[0], b[3] - b[2], b[5] - b[4]);
@@ -127,7 +113,7 @@ std::vector<vtkIdType> findPlaces(vtkDataSet* data)
   locator->SetDataSet(cloud);
   locator->BuildLocator();
   std::vector<vtkIdType> merged(ids.size());
-  locator->MergePoints(samePlace * diagonalOf(bulkOf(data)), merged.data());
+  locator->MergePoints(samePlace * diagonalOf(BulkOfPoints(data)), merged.data());
   std::vector<vtkIdType> places(static_cast<std::size_t>(data->GetNumberOfPoints()));
   std::iota(places.begin(), places.end(), 0);
   bool apart = true;
@@ -476,67 +462,6 @@ Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id)
     }
   }
   return sum;
-}
-
-std::vector<float> FindNeighborSpacing(vtkDataSet* data)
-{
-  const vtkIdType count = data->GetNumberOfPoints();
-  std::vector<float> spacing(static_cast<std::size_t>(count), 0.0f);
-  std::vector<vtkIdType> ids;
-  const MediumBounds bulk = bulkOf(data);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (vtkIdType id = 0; id < count; ++id)
-  {
-    double x[3];
-    data->GetPoint(id, x);
-    if (holdsPlace(
-          bulk, x)) // the locator could not tell those apart that lie together far from others
-    {
-      points->InsertNextPoint(x);
-      ids.push_back(id);
-    }
-  }
-  if (ids.empty())
-  {
-    return spacing;
-  }
-  vtkNew<vtkPolyData> cloud;
-  cloud->SetPoints(points);
-  const double mean = MeanSpacing(bulk.data(), ids.size());
-  const int axes = std::max(1, NumberOfAxes(bulk.data()));
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(cloud);
-  locator->BuildLocator();
-  const auto others = std::min<vtkIdType>(neighbors, static_cast<vtkIdType>(ids.size()) - 1);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(ids.size()), [&](vtkIdType begin, vtkIdType end) {
-    vtkNew<vtkIdList> nearest;
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      double place[3];
-      points->GetPoint(i, place);
-      double farthest = 0;
-      locator->FindClosestNPoints(static_cast<int>(others) + 1, place, nearest);
-      for (vtkIdType n = 0; n < nearest->GetNumberOfIds(); ++n)
-      {
-        double other[3];
-        points->GetPoint(nearest->GetId(n), other);
-        farthest = std::max(farthest, std::sqrt(vtkMath::Distance2BetweenPoints(place, other)));
-      }
-      const double ball = unitBall[axes - 1] * std::pow(farthest, axes);
-      spacing[static_cast<std::size_t>(ids[static_cast<std::size_t>(i)])] = static_cast<float>(
-        farthest > 0 ? std::pow(ball / static_cast<double>(others), 1.0 / axes) : mean);
-    }
-  });
-  for (vtkIdType id = 0; id < count; ++id)
-  {
-    double x[3];
-    data->GetPoint(id, x);
-    const bool far = std::isfinite(x[0] + x[1] + x[2]) && !holdsPlace(bulk, x);
-    spacing[static_cast<std::size_t>(id)] =
-      far ? static_cast<float>(mean) : spacing[static_cast<std::size_t>(id)];
-  }
-  return spacing;
 }
 
 } // namespace nephoscope

@@ -50,10 +50,6 @@ private:
 /** The mean of the corners of a cell, each place once: the edge of a hexahedron may have no length. */
 Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id);
 
-/** The edge of a cube for each point, by the ball that its neighbours fill: its volume over their number; far from all
- * others their mean spacing; 0 at no finite place. */
-std::vector<float> FindNeighborSpacing(vtkDataSet* data);
-
 } // namespace nephoscope
 
 #endif

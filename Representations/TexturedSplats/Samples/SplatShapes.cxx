@@ -4,6 +4,7 @@
 
 #include "EllipsoidSplat.h"
 #include "HiddenSamples.h"
+#include "NeighborSpacing.h"
 #include "RobustBounds.h"
 #include "SplatSamples.h"
 
