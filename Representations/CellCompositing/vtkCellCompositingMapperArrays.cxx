@@ -44,7 +44,8 @@ std::string vtkCellCompositingMapper::SelectContours(
   }
   if (name.empty())
   {
-    return scalars.OnCells && this->Contours->DrawsSurfaces() && !this->Contours->ContoursMakeLayers()
+    return scalars.OnCells && this->Contours->DrawsSurfaces() &&
+        !this->Contours->ContoursMakeLayers()
       ? "The coloured array is a cell array, which has no contour surfaces inside its cells: apply Cell Data to Point "
         "Data, or choose a point array to contour. Point arrays: " +
         arrayNames(input->GetPointData()) + "."

@@ -183,11 +183,11 @@ class Splats(Element):
     def depths(self, view):
         origins, *_ = view.rays()
         total = np.zeros((len(origins), STEPS))
-        for x, y, z in meshes.points_of(self.data()):
+        for (x, y, z), share in zip(meshes.points_of(self.data()), splats.lattice_shares(self.counts)):
             across = ((origins[:, 0] - x) / self.spacing[0]) ** 2 + ((origins[:, 1] - y) / self.spacing[1]) ** 2
             near, some = np.flatnonzero(across < splats.OUTER ** 2), np.flatnonzero(np.abs(MIDDLES - z) < splats.OUTER * self.spacing[2])
             r = np.sqrt(across[near, None] + ((MIDDLES[some] - z) / self.spacing[2])[None] ** 2)
-            total[near[:, None], some] += splats.cubic(r)
+            total[near[:, None], some] += share * splats.cubic(r)
         return self.extinction * total * (EDGES[0] - EDGES[1])
 
 

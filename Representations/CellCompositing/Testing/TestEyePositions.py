@@ -143,7 +143,7 @@ class TestTimeInside(unittest.TestCase):
     """To find where an eye inside is takes a time proportional to the number of cells."""
 
     def seconds(self, blocks):
-        """Of processor time for a frame from a new eye inside, without the first one."""
+        """The processor time of a frame from a new eye inside, without the first one."""
         window = Window((12, 12))
         scene = window.add_scene()
         data = meshes.with_field(unstructured(meshes.structured((blocks,) * 3, lambda p: p)), lambda p: p[:, 0])
