@@ -13,11 +13,14 @@
 #include "SmokeOutput.h"
 #include "VelocityChoice.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -25,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 vtkStandardNewMacro(vtkFlowVolume);
 
@@ -358,11 +362,26 @@ void vtkFlowVolume::WriteOutput(const nephoscope::SmokeMesh& mesh,
   {
     vtkWarningMacro("The point array 'Age' of the input has been replaced. Rename it to keep it.");
   }
+  this->WriteMasses(output);
   if (this->Unsteady)
   {
     nephoscope::putInitialDensity(output, this->InitialDensity);
   }
   this->UpdateProgress(1.0);
+}
+
+void vtkFlowVolume::WriteMasses(vtkUnstructuredGrid* output) const
+{
+  const std::pair<const char*, double> masses[] = { { "EmittedMass", this->EmittedMass },
+    { "LostMass", this->LostMass }, { "ObstacleMass", this->ObstacleMass },
+    { "FoldedMass", this->FoldedMass } };
+  for (const auto& mass : masses)
+  {
+    vtkNew<vtkDoubleArray> value;
+    value->SetName(mass.first);
+    value->InsertNextValue(mass.second);
+    output->GetFieldData()->AddArray(value);
+  }
 }
 
 void vtkFlowVolume::ResetResults()
@@ -373,6 +392,8 @@ void vtkFlowVolume::ResetResults()
   this->MaximumEdgeLengthUsed = 0.0;
   this->EmittedMass = 0.0;
   this->LostMass = 0.0;
+  this->ObstacleMass = 0.0;
+  this->FoldedMass = 0.0;
   this->ExpiredMass = 0.0;
 }
 
@@ -409,5 +430,7 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   print("MaximumEdgeLengthUsed", this->MaximumEdgeLengthUsed);
   print("EmittedMass", this->EmittedMass);
   print("LostMass", this->LostMass);
+  print("ObstacleMass", this->ObstacleMass);
+  print("FoldedMass", this->FoldedMass);
   print("ExpiredMass", this->ExpiredMass);
 }

@@ -260,10 +260,14 @@ public:
   /**
    * Results of the last update, in InitialDensity times volume of the dataset: the mass that has come from the polygon, the part of
    * it that has left the data, met a blanked cell or is in cells without volume (which are left out), and the part that is older than Duration (unsteady). What is left is the sum of
-   * Density times volume.
+   * Density times volume. ObstacleMass is the part of LostMass of a steady flow that ended at obstacles inside the data: bodies, blanked
+   * cells or values that are not numbers, with data again ahead of them. If it is more than 1 % of EmittedMass, a warning says so. FoldedMass is the part of prisms that ended because the flow would have folded them, even
+   * in the shortest step.
    */
   vtkGetMacro(EmittedMass, double);
   vtkGetMacro(LostMass, double);
+  vtkGetMacro(ObstacleMass, double);
+  vtkGetMacro(FoldedMass, double);
   vtkGetMacro(ExpiredMass, double);
   ///@}
 
@@ -324,9 +328,10 @@ private:
     nephoscope::FlowVolumeSettings& settings);
   void ReportSteady(const nephoscope::WholeVolume& whole);
   bool IsSizeAutomatic() const;
-  void WarnOfCoarsening(double polygonEdgeLength);
+  void WarnOfCoarsening(double polygonEdgeLength, bool isMuch);
   void WarnOfLongEdges();
   void WarnOfLimit();
+  void WarnOfObstacles(const nephoscope::SmokeReport& report);
   void WarnOfMissing(const nephoscope::FlowField& field);
   void WarnOfNothing(const nephoscope::SmokeReport& report);
 
@@ -350,6 +355,7 @@ private:
   void WriteStreak(vtkUnstructuredGrid* output);
 
   bool Report(double share);
+  void WriteMasses(vtkUnstructuredGrid* output) const;
   void WriteOutput(const nephoscope::SmokeMesh& mesh,
     const std::function<void(const nephoscope::SmokeMesh&, vtkPointData*)>& sampleArrays,
     vtkUnstructuredGrid* output);
@@ -380,6 +386,8 @@ private:
   double MaximumEdgeLengthUsed = 0.0;
   double EmittedMass = 0.0;
   double LostMass = 0.0;
+  double ObstacleMass = 0.0;
+  double FoldedMass = 0.0;
   double ExpiredMass = 0.0;
 
   std::unique_ptr<nephoscope::FlowVolumeState> State;

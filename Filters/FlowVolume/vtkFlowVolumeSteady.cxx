@@ -18,6 +18,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+
+namespace
+{
+// So much that the picture shows it: paths have corners, or folds of the smoke are missing.
+bool IsMuchCoarser(const nephoscope::WholeVolume& whole,
+  const nephoscope::FlowVolumeSettings& automatic, const nephoscope::PolygonFlow& flow)
+{
+  constexpr double longSteps = 4.0, longEdges = 8.0;
+  return whole.Settings.TimeStep > longSteps * automatic.TimeStep ||
+    whole.Settings.MaximumEdgeLength > longEdges * automatic.MaximumEdgeLength ||
+    whole.PolygonEdgeLength > longEdges * flow.LongestEdge;
+}
+}
 
 void vtkFlowVolume::MakeSteadyVolume(
   vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output)
@@ -45,6 +59,11 @@ void vtkFlowVolume::MakeSteadyVolume(
     nephoscope::BuildWholeVolume(*field->Field, polygon, settings, anyTime, this->Duration == 0.0,
       coarser, [this](double share) { return this->Report(nephoscope::buildingShare * share); });
   this->ReportSteady(whole);
+  if (whole.IsCoarser && !whole.Mesh.Report.LimitReached && !whole.Mesh.Report.Stopped &&
+    !whole.Mesh.Tetrahedra.empty())
+  {
+    this->WarnOfCoarsening(whole.PolygonEdgeLength, IsMuchCoarser(whole, settings, flow));
+  }
   this->WarnOfMissing(*field);
   this->WriteOutput(
     whole.Mesh,
@@ -71,6 +90,7 @@ bool vtkFlowVolume::FindSettings(const nephoscope::FlowField& field,
   settings.MaximumTurnAngle = vtkMath::RadiansFromDegrees(this->MaximumTurnAngle);
   settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
   settings.Tolerance = this->Tolerance;
+  settings.FarthestObstacle = field.Diagonal;
   settings.MaximumNumberOfTetrahedra = static_cast<std::size_t>(this->MaximumNumberOfTetrahedra);
   return this->CheckNumberOfSteps(settings.Duration, settings.TimeStep);
 }
@@ -83,6 +103,9 @@ void vtkFlowVolume::ReportSteady(const nephoscope::WholeVolume& whole)
   this->MaximumEdgeLengthUsed = whole.Settings.MaximumEdgeLength;
   this->EmittedMass = this->InitialDensity * report.EmittedMass;
   this->LostMass = this->InitialDensity * report.LostMass;
+  this->ObstacleMass = this->InitialDensity * report.ObstacleMass;
+  this->FoldedMass = this->InitialDensity * report.FoldedMass;
+  this->WarnOfObstacles(report);
   if (report.LimitReached)
   {
     this->WarnOfLimit();
@@ -95,27 +118,24 @@ void vtkFlowVolume::ReportSteady(const nephoscope::WholeVolume& whole)
   {
     this->WarnOfNothing(report);
   }
-  else if (whole.IsCoarser)
-  {
-    this->WarnOfCoarsening(whole.PolygonEdgeLength);
-  }
 }
 
-// Automatic settings give a volume of moderate size; only explicit requests that cannot be met are reported.
+// Automatic settings give a volume of moderate size; explicit requests that cannot be met are reported, and what is much coarser.
 bool vtkFlowVolume::IsSizeAutomatic() const
 {
   return this->TimeStep == 0.0 && this->PolygonEdgeLength == 0.0 &&
     this->MaximumEdgeLength == 0.0 && this->MaximumNumberOfTetrahedra >= moderateNumberOfTetrahedra;
 }
 
-void vtkFlowVolume::WarnOfCoarsening(double polygonEdgeLength)
+void vtkFlowVolume::WarnOfCoarsening(double polygonEdgeLength, bool isMuch)
 {
-  if (this->IsSizeAutomatic())
+  if (this->IsSizeAutomatic() && !isMuch)
   {
     return;
   }
-  vtkWarningMacro(
-    "The smoke is coarser than requested, so that its whole duration fits into MaximumNumberOfTetrahedra ("
+  vtkWarningMacro("The smoke is "
+    << (this->IsSizeAutomatic() ? "much coarser than usual" : "coarser than requested")
+    << ", so that its whole duration fits into MaximumNumberOfTetrahedra ("
     << this->MaximumNumberOfTetrahedra << "). It has a TimeStep of " << this->TimeStepUsed
     << ", a PolygonEdgeLength of " << polygonEdgeLength << " and a MaximumEdgeLength of "
     << this->MaximumEdgeLengthUsed << ". Allow more tetrahedra, or shorten the Duration.");
@@ -130,6 +150,28 @@ void vtkFlowVolume::WarnOfLongEdges()
       << this->MaximumNumberOfTetrahedra << "). Some edges are longer than MaximumEdgeLength ("
       << this->MaximumEdgeLengthUsed << "). Allow more tetrahedra, or lengthen MaximumEdgeLength.");
   }
+}
+
+void vtkFlowVolume::WarnOfObstacles(const nephoscope::SmokeReport& report)
+{
+  constexpr double noticed = 0.01; // of the smoke
+  const auto percent = [&](double mass) { return std::round(100.0 * mass / report.EmittedMass); };
+  if (report.Stopped || !(report.ObstacleMass > noticed * report.EmittedMass))
+  {
+    return;
+  }
+  std::ostringstream folded;
+  if (percent(report.FoldedMass) > 0.0)
+  {
+    folded << ", and " << percent(report.FoldedMass) << " % where the flow would have folded it";
+  }
+  vtkWarningMacro("The volume lacks smoke: "
+    << percent(report.ObstacleMass) << " % of it ended at obstacles inside the data (ObstacleMass)"
+    << folded.str()
+    << ". A prism ends as a whole where one of its corners meets a body. For smaller prisms shorten MaximumEdgeLength (now "
+    << this->MaximumEdgeLengthUsed
+    << ") to a fraction of the body, and raise MaximumNumberOfTetrahedra (now "
+    << this->MaximumNumberOfTetrahedra << ").");
 }
 
 void vtkFlowVolume::WarnOfLimit()

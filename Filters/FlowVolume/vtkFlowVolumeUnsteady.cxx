@@ -365,7 +365,7 @@ void vtkFlowVolume::WriteStreak(vtkUnstructuredGrid* output)
   }
   else if (streak.IsCoarser)
   {
-    this->WarnOfCoarsening(streak.PolygonEdgeLength);
+    this->WarnOfCoarsening(streak.PolygonEdgeLength, false);
   }
   else if (streak.Volume->IsCoarser())
   {

@@ -194,15 +194,15 @@ std::string vtkSplatSpeedKey::Describe(
     const double way = speed * passing * seconds;
     arrow = way * pixels;
     const std::string film = numberText(seconds) + " " + this->FilmUnit;
-    text = (unit.empty() ? "speed " : "") + numberText(speed) + unit + ": " +
-      (metres ? lengthText(way) : numberText(way)) + " in " + film + "\n" +
-      (seconds == 1.0 ? film : "1 " + this->FilmUnit) + " is " +
-      (metres ? timeText(passing) : numberText(passing)) + "\n";
+    text = (unit.empty() ? "speed " : "") + numberText(speed) + unit + " moves this far (" +
+      (metres ? lengthText(way) : numberText(way)) + ") in " + film + "\n" +
+      (seconds == 1.0 ? film : "1 " + this->FilmUnit) + " shows " +
+      (metres ? timeText(passing) : numberText(passing) + " of the data's time") + "\n";
   }
-  const char* kind =
-    mapper->GetVectorStyle() == vtkTexturedSplatMapper::SEGMENTS ? "segments" : "streaks";
-  return text + "longest " + kind + ": " + (unit.empty() ? "speed " : "") + numberText(greatest) +
-    unit;
+  const char* kind = mapper->GetVectorStyle() == vtkTexturedSplatMapper::SEGMENTS
+    ? "longest segments: "
+    : "fastest streaks: ";
+  return text + kind + (unit.empty() ? "speed " : "") + numberText(greatest) + unit;
 }
 
 void vtkSplatSpeedKey::Place(vtkViewport* viewport, double arrow)

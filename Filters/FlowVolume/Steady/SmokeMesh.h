@@ -27,6 +27,8 @@ struct SmokeReport
   double EmittedMass = 0.0;        // Flux times the time that was followed
   double KeptMass = 0.0;           // in the tetrahedra: the sum of density times volume
   double LostMass = 0.0;           // of triangles that ended: EmittedMass - KeptMass
+  double ObstacleMass = 0.0;       // steady: of that, at obstacles inside the data
+  double FoldedMass = 0.0;         // steady: of that, of triangles that would have folded
   double ExpiredMass = 0.0;        // unsteady: of smoke older than the duration
   std::vector<double> MassPerStep; // kept, by EmissionStep
   std::size_t EndedTriangles =
@@ -79,6 +81,8 @@ struct FlowVolumeSettings
   // Triangles that meet an obstacle or a boundary are divided until their edges are shorter than MaximumEdgeLength (without
   // one: the longest edge of the polygon) over 2 to this power. 0: never.
   int ObstacleLevels = 2;
+  // Smoke that ends has met an obstacle if there are data again within this length ahead of it.
+  double FarthestObstacle = 0.0;
   bool Adaptive = false;   // RK45 with error control instead of RK4
   double Tolerance = 1e-6; // of the adaptive method, relative to the edge length of the polygon
   std::size_t MaximumNumberOfTetrahedra = 1000000;

@@ -5,6 +5,7 @@
 #include "FirstFront.h"
 #include "FrontMerging.h"
 #include "LayerIntegrator.h"
+#include "ObstacleLoss.h"
 #include "StepControl.h"
 
 #include <numeric>
@@ -211,6 +212,7 @@ private:
     std::size_t left = 0;
     for (std::size_t t = 0; t < triangles.size(); ++t)
     {
+      this->Report().FoldedMass += ends[t] ? this->MassToCome(triangles[t]) : 0.0;
       triangles[left] = triangles[t];
       left += !ends[t];
     }
@@ -285,6 +287,7 @@ private:
     this->Between.SmallestVolume = 1e-16 * furthest * longest * longest;
     above.Triangles.reserve(this->Front.Triangles.size());
     this->Between.Origins.clear();
+    this->Ending.clear();
     for (std::size_t t = 0; t < this->Front.Triangles.size(); ++t)
     {
       const FrontTriangle& triangle = this->Front.Triangles[t];
@@ -294,9 +297,32 @@ private:
         above.Triangles.push_back(triangle);
         this->Between.Origins.push_back(t);
       }
+      else
+      {
+        this->Ending.push_back(this->EndedOf(triangle));
+      }
     }
     this->Between.Below = &this->Front;
     return above;
+  }
+
+  EndedSmoke EndedOf(const FrontTriangle& triangle) const
+  {
+    EndedSmoke smoke;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      smoke.Corners[c] = this->Front.Corner(triangle, c);
+      smoke.Leaves[c] = !this->Top.Inside[static_cast<std::size_t>(triangle.Points[c])];
+    }
+    smoke.Step = this->Between.Step;
+    smoke.Mass = this->MassToCome(triangle);
+    return smoke;
+  }
+
+  // What a triangle would carry from the present layer to the end.
+  double MassToCome(const FrontTriangle& triangle) const
+  {
+    return triangle.Mass * std::max(this->Settings.Duration - this->LayerStart, 0.0);
   }
 
   std::size_t MergeFront(SmokeFront& above)
@@ -327,6 +353,7 @@ private:
   {
     const std::size_t ended = this->Front.Triangles.size() - above.Triangles.size();
     this->Report().EndedTriangles += ended;
+    this->Ended.insert(this->Ended.end(), this->Ending.begin(), this->Ending.end());
     ++this->Report().Layers;
     this->AppendNewPoints(above);
     const bool merged = this->Between.NumberOfPatches > 0;
@@ -396,6 +423,11 @@ private:
     report.EmittedMass = report.Flux * (cut ? report.FollowedTime : this->Settings.Duration);
     report.KeptMass = std::accumulate(report.MassPerStep.begin(), report.MassPerStep.end(), 0.0);
     report.LostMass = std::max(report.EmittedMass - report.KeptMass, 0.0);
+    if (!cut)
+    {
+      report.ObstacleMass =
+        MassAtObstacles(this->Field, this->Time, this->Settings.FarthestObstacle, this->Ended);
+    }
     CompactPoints(mesh);
   }
 
@@ -409,6 +441,7 @@ private:
   SmokeFront Front;
   ArrivedPoints Top;
   Slab Between;
+  std::vector<EndedSmoke> Ending, Ended; // of the present layer, of all layers
   std::vector<unsigned char> Marks;
   std::size_t FirstTetrahedron = 0; // of the last slab
   int Depth = 0;                    // halvings of the step

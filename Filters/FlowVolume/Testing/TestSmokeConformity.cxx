@@ -133,8 +133,10 @@ TEST(SmokeConformity, PartsAtAnObstacle)
   {
     FlowVolumeSettings settings = Steps(2.0, 64);
     settings.ObstacleLevels = 2 * i;
+    settings.FarthestObstacle = 10.0;
     const auto mesh = Build(WithBall(), Square(0.4, 4), settings);
     ExpectWhole(mesh);
+    EXPECT_NEAR(mesh.Report.ObstacleMass, mesh.Report.LostMass, 1e-9 * mesh.Report.LostMass);
     for (const Vector3& p : mesh.Points)
     {
       EXPECT_GE(p[0] * p[0] + p[1] * p[1] + (p[2] - 1.0) * (p[2] - 1.0), 0.04);
@@ -145,6 +147,26 @@ TEST(SmokeConformity, PartsAtAnObstacle)
   EXPECT_GT(errors[2], 0.0);
   EXPECT_LT(errors[2], 0.1 * lost);
   EXPECT_LT(errors[2], 0.5 * errors[1]);
+}
+
+TEST(SmokeConformity, TellsObstaclesFromTheEdgeOfTheData)
+{
+  // A ball in front of the edge: what its disc stops is lost at the obstacle, and the rest at the edge.
+  const FormulaField field([](const Vector3& p, Vector3& v) {
+    v = { { 0, 0, 1 } };
+    return p[0] * p[0] + p[1] * p[1] + (p[2] - 1.0) * (p[2] - 1.0) > 0.04 && p[2] < 2.0;
+  });
+  FlowVolumeSettings settings = Steps(3.0, 96);
+  settings.ObstacleLevels = 4;
+  settings.FarthestObstacle = 10.0;
+  const auto mesh = Build(field, Square(0.4, 4), settings);
+  const double atBall = pi * 0.04 * 2.0 + 2.0 / 3.0 * pi * 0.008;
+  const double atEdge = (0.64 - pi * 0.04) * 1.0;
+  EXPECT_NEAR(mesh.Report.ObstacleMass, atBall, 0.1 * atBall);
+  EXPECT_NEAR(mesh.Report.LostMass - mesh.Report.ObstacleMass, atEdge, 0.1 * atEdge);
+  settings.FarthestObstacle = 0.05; // less than the ball is thick
+  const auto shorter = Build(field, Square(0.4, 4), settings);
+  EXPECT_LT(shorter.Report.ObstacleMass, 0.3 * atBall);
 }
 
 TEST(SmokeConformity, FlowsAroundABall)
@@ -169,8 +191,10 @@ TEST(SmokeConformity, EndsAtTheEdgeOfTheDataAndAtNotANumber)
   });
   FlowVolumeSettings settings = Steps(2.0, 32);
   settings.MinimumEdgeLength = 0.05;
+  settings.FarthestObstacle = 10.0;
   const auto mesh = Build(box, Square(0.4, 4), settings);
   EXPECT_GT(mesh.Report.LostMass, 0.0);
+  EXPECT_EQ(mesh.Report.ObstacleMass, 0.0); // nothing is behind the edge
   for (const Vector3& p : mesh.Points)
   {
     EXPECT_LT(p[0], 0.6);

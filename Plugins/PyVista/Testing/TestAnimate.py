@@ -78,6 +78,141 @@ class Vectors(Animation):
         self.assertAlmostEqual(mapper.GetVectorUnit(), other.GetVectorUnit(), 6)
 
 
+class Motion(Animation):
+    """Vectors on meshes that stay the same move from step to step."""
+
+    def film(self, vectors, framerate=8, count=4, change=None):
+        plotter = self.new_plotter()
+        drawn = []
+        series = nephoscope.animate(plotter, [whirl(-1)] * count, lambda p, mesh: drawn.append(nephoscope.add_splats(p, mesh, color="black", opacity=0, vectors={"array": "U", "speed_key": False, **vectors})),
+                                    show_time=False, framerate=framerate)
+        mapper = drawn[0].mapper
+        if change:
+            change(series, mapper)
+        pictures = []
+        for step in range(count):
+            series.show(step)
+            pictures.append(self.picture(plotter))
+        series.show(0)
+        self.assertEqual(np.abs(self.picture(plotter) - pictures[0]).max(), 0)
+        return pictures, mapper
+
+    def moves(self, pictures):
+        return [int(np.abs(one - other).max()) > 30 for one, other in zip(pictures, pictures[1:])]
+
+    def test_streaks_move(self):
+        for vectors in ({}, {"style": "segments"}, {"true_speed": True}, {"true_speed": True, "time_scale": 3}):
+            self.assertEqual(self.moves(self.film(vectors)[0]), [True] * 3, vectors)
+
+    def test_way_of_a_step(self):
+        """In a second of the film the streaks of the greatest speed move by their distance or a little less, at few steps a second by less."""
+        for framerate, steps in ((8, 8), (100, 100), (2, 4), (0.5, 4)):
+            _, mapper = self.film({}, framerate)
+            mapper.SetFilmTime(0)
+            self.assertTrue(mapper.GetTrueSpeed())
+            nephoscope.animate(self.plotter, [whirl(-1)] * 2, lambda p, mesh: None)
+            way = mapper.GetDrawnTimeScale() * mapper.GetDrawnMaximumSpeed() / (mapper.GetStreakPeriod() * mapper.GetVectorUnit())
+            self.assertTrue(0.3 < way <= 1, way)
+            seen = []
+            mapper.AddObserver("ModifiedEvent", lambda *_: seen.append(mapper.GetFilmTime()))
+            self.film({}, framerate, change=lambda series, other: series.listen(lambda step: seen.append(other.GetFilmTime() - step / steps)))
+            self.assertLess(np.abs(seen[-4:]).max(), 1e-9)
+
+    def test_phases_of_the_user_stay(self):
+        for vectors in ({"phase": 0.25}, {"phase": 0}, {"true_speed": True, "film_time": 0.5}, {"true_speed": True, "film_time": 0}):
+            pictures, mapper = self.film(vectors)
+            self.assertEqual(self.moves(pictures), [False] * 3, vectors)
+            self.assertEqual((mapper.phase, mapper.film_time), (vectors.get("phase", 0), vectors.get("film_time", 0)))
+        for change in (lambda series, mapper: setattr(mapper, "phase", 0.25), lambda series, mapper: mapper.SetPhase(0.25)):
+            pictures, mapper = self.film({}, change=change)
+            self.assertEqual(self.moves(pictures), [False] * 3)
+            self.assertFalse(mapper.GetTrueSpeed())
+            self.assertLess(np.abs(pictures[0] - self.film({"phase": 0.25})[0][0]).max(), 3)
+
+    def test_phases_that_the_user_moves(self):
+        """As in the loop that the documentation has, here told by the series."""
+        pictures, _ = self.film({}, change=lambda series, mapper: series.listen(lambda step: setattr(mapper, "phase", step / 8)))
+        for step in (1, 3):
+            self.assertLess(np.abs(pictures[step] - self.film({"phase": step / 8})[0][0]).max(), 3)
+
+
+class Camera(Animation):
+    """The camera sees all steps of meshes that move or grow."""
+
+    @staticmethod
+    def block(place, size=1.0):
+        mesh = pyvista.ImageData(dimensions=(5,) * 3, spacing=(size / 4,) * 3, origin=(place, 0, 0)).cast_to_unstructured_grid()
+        mesh["T"] = np.linspace(0.5, 1, mesh.n_points)
+        return mesh
+
+    def seen(self, meshes, draw, before=lambda plotter: None, **options):
+        """For each step, the share of the picture inside its outermost pixels that is not background, and whether those are; and the plotter."""
+        plotter = self.new_plotter()
+        plotter.set_background("white")
+        before(plotter)
+        series = nephoscope.animate(plotter, meshes, draw, show_time=False, **options)
+        found = []
+        for step in range(len(series)):
+            series.show(step)
+            ink = np.abs(self.picture(plotter) - 255).max(axis=2) > 10
+            edge = ink.copy()
+            edge[1:-1, 1:-1] = False
+            found.append((float(ink.mean()), bool(edge.any())))
+        return found, plotter
+
+    DRAW = {"cells": lambda p, mesh: nephoscope.add_cells(p, mesh, "T", show_scalar_bar=False), "splats": lambda p, mesh: nephoscope.add_splats(p, mesh, "T", show_scalar_bar=False),
+            "surface": lambda p, mesh: p.add_mesh(mesh, scalars="T", show_scalar_bar=False)}
+
+    def test_all_steps_are_seen(self):
+        for name, draw in self.DRAW.items():
+            for meshes, options in (([self.block(x) for x in (0, 2, 5)], {}), ([self.block(0, size) for size in (1, 4, 2)], {}), (self.block, {"times": [0, 2, 5]})):
+                found, plotter = self.seen(meshes, draw, **options)
+                for share, at_edge in found:
+                    self.assertGreater(share, 0.005, name)
+                    self.assertFalse(at_edge, name)
+                self.assertGreater(max(share for share, _ in found), 0.02, name)  # no farther than needed
+
+    def test_moved_actors(self):
+        shift = np.eye(4)
+        shift[:3, 3] = 3, 20, 0
+        found, _ = self.seen([self.block(x) for x in (0, 4)], lambda p, mesh: nephoscope.add_cells(p, mesh, "T", show_scalar_bar=False, user_matrix=shift))
+        self.assertEqual([(share > 0.0005, at_edge) for share, at_edge in found], [(True, False)] * 2)
+
+    def test_other_contents_are_seen(self):
+        """What was there before, and what a second series draws."""
+        far = pyvista.Sphere(radius=0.5, center=(-12, 0, 0))
+        found, plotter = self.seen([self.block(x) for x in (0, 4)], self.DRAW["cells"], before=lambda p: p.add_mesh(far))
+        self.assertEqual([at_edge for _, at_edge in found], [False, False])
+        self.assertTrue(self.is_in_view(plotter, (-12, 0, 0)) and self.is_in_view(plotter, (4.5, 0, 0)))
+        nephoscope.animate(plotter, [self.block(x) for x in (20, 20)], self.DRAW["cells"])
+        self.assertTrue(all(self.is_in_view(plotter, (x, 0, 0)) for x in (-12, 4.5, 20.5)))
+
+    def is_in_view(self, plotter, place):
+        plotter.renderer.SetWorldPoint(*place, 1)
+        plotter.renderer.WorldToDisplay()
+        return bool(np.all(np.array(plotter.renderer.GetDisplayPoint()[:2]) > 0) and np.all(np.array(plotter.renderer.GetDisplayPoint()[:2]) < 160))
+
+    def test_a_camera_of_the_user_stays(self):
+        place = [(0.5, 0.5, 6.0), (0.5, 0.5, 0.5), (0, 1, 0)]
+        given = lambda p: setattr(p, "camera_position", place)  # noqa: E731
+        found, plotter = self.seen([self.block(x) for x in (0, 1, 2)], self.DRAW["cells"], before=given)
+        np.testing.assert_allclose(plotter.camera.position, place[0])
+        self.assertTrue(found[0][0] > found[2][0])
+        # ... and what moves towards it is not cut off at the planes of the first step
+        toward = [self.block(0), self.block(0).translate((0, 0, 3)), self.block(0).translate((0, 0, -30))]
+        found, _ = self.seen(toward, self.DRAW["surface"], before=given)
+        self.assertTrue(found[1][0] > found[0][0] > found[2][0] > 0)
+
+    def test_meshes_that_stay(self):
+        """The camera is PyVista's own."""
+        _, plotter = self.seen([self.block(0)] * 2, self.DRAW["cells"])
+        alone = self.new_plotter()
+        self.DRAW["cells"](alone, self.block(0))
+        alone.render()
+        alone.screenshot(return_img=True)
+        np.testing.assert_allclose(plotter.camera.position, alone.camera.position)
+
+
 class EmptySteps(Animation):
     TIMES = [0, 0.25, 0.5, 1.0]
 
@@ -121,6 +256,7 @@ class Messages(Animation):
                 (TypeError, r"animate\(\) got an unexpected keyword argument 'cmapp'. Did you mean 'cmap'", meshes, {"cmapp": "hot"}),
                 (TypeError, "'frame_rate'. Did you mean 'framerate'", meshes, {"frame_rate": 3}), (TypeError, "'nonsense'[.]$", meshes, {"nonsense": 3}),
                 (TypeError, r"no option 'color'; of those of add_cells it takes 'opacity', .*add_cells\(plotter, mesh, ..., color=...\)", meshes, {"color": "red"}),
+                (TypeError, r"no option 'vectors', which belongs to add_splats. Pass a function as draw: .*add_splats\(plotter, mesh, ..., vectors=...\)", meshes, {"vectors": "U"}),
                 (TypeError, "vertical_exaggeration: the meshes exist already", meshes, {"vertical_exaggeration": 3})):
             with self.subTest(words), self.assertRaisesRegex(error, words):
                 nephoscope.animate(self.plotter, dataset, "T", **options)

@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 
 import nephoscope
@@ -72,6 +73,7 @@ class Meshes(unittest.TestCase):
             series = nephoscope.animate(self.plotter, meshes, draw, times=times)
             self.assertEqual((series.times, list(series.seconds)), (told, seconds))
         asked = []
+        self.plotter.camera_position = "xy"  # else the bounds of all steps are asked for
         series = nephoscope.animate(self.plotter, lambda time: asked.append(time) or block(time), draw, times=[2.0, 4.0])
         series.show(1)
         self.assertEqual(set(series.mesh["T"]), {4})
@@ -82,11 +84,53 @@ class Meshes(unittest.TestCase):
         one = block(1)
         for error, words, dataset, options in ((TypeError, "single ImageData.*list of PyVista datasets", one, {}), (TypeError, r"pass list\(dataset\)", pyvista.MultiBlock([one, one]), {}),
                                                (TypeError, "of one type.*cast_to_unstructured_grid", [one, one.cast_to_unstructured_grid()], {}),
-                                               (TypeError, "combine", [pyvista.MultiBlock([one])], {}), (TypeError, "a str; each", [one, "x"], {}), (TypeError, "heights", [one], {"heights": True}),
+                                               (TypeError, "a str; each.*path of a file", [one, "x"], {}), (FileNotFoundError, "No such file: gone.vtu", [one, "gone.vtu"], {}), (FileNotFoundError, r"gone_\*.vtu", "gone_*.vtu", {}), (TypeError, "heights", [one], {"heights": True}),
                                                (TypeError, "projection", [one], {"projection": "map"}), (TypeError, "pass times=", lambda time: one, {}),
                                                (TypeError, "whose keys", {0: one}, {"times": [0]}), (ValueError, "1 meshes and 2 times", [one], {"times": [0, 1]})):
             with self.subTest(words), self.assertRaisesRegex(error, words):
                 nephoscope.animate(self.plotter, dataset, draw, **options)
+
+    def test_files(self):
+        """A list, a dict, a pattern, and a file that has times; each is read when it is shown."""
+        with tempfile.TemporaryDirectory() as folder:
+            names = [str(Path(folder, f"case_{k}.vti")) for k in (1, 2, 3)]
+            for k, name in zip((1, 3, 2), names):
+                block(k).save(name)
+            collection = Path(folder, "case.pvd")
+            collection.write_text('<VTKFile type="Collection"><Collection>' + "".join(f'<DataSet timestep="{time}" part="0" file="{Path(name).name}"/>' for time, name in zip((0.5, 1, 4), names)) +
+                                  "</Collection></VTKFile>")
+            single = str(Path(folder, "case_1.vti"))
+            with self.assertRaisesRegex(TypeError, r"single file .* has one time; pass a list of files"):
+                nephoscope.animate(self.plotter, single, "T")
+            with self.assertRaisesRegex(TypeError, "has times of its own"):
+                nephoscope.animate(self.plotter, collection, "T", times=[1, 2, 3])
+            for dataset, options, told in ((names, {}, ["0", "1", "2"]), ([Path(name) for name in names], {"times": [1, 2, 3]}, ["1", "2", "3"]), (dict(zip((2, 3, 4), names)), {}, ["2", "3", "4"]),
+                                           (str(Path(folder, "case_*.vti")), {}, ["0", "1", "2"]), ([block(1), names[1], block(2)], {}, ["0", "1", "2"]), (str(collection), {}, ["0.5", "1", "4"])):
+                self.plotter.clear()
+                drawn = []
+                series = nephoscope.animate(self.plotter, dataset, lambda plotter, mesh: drawn.append(nephoscope.add_cells(plotter, mesh, "T", show_scalar_bar=False)), **options)
+                self.assertEqual((series.times, drawn[0].mapper.scalar_range), (told, (1, 3)))
+                self.assertEqual([set(mesh["T"]) for mesh in series], [{1}, {3}, {2}])
+
+    def test_blocks(self):
+        """The blocks of a step are one mesh, without patches of the boundary, which are named once."""
+        steps = [pyvista.MultiBlock({"fluid": block(k), "more": pyvista.MultiBlock([block(k + 5).translate((4, 0, 0))]), "wall": pyvista.Plane()}) for k in (1, 2)]
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            series = nephoscope.animate(self.plotter, steps, "T", show_time=False)
+            pictures = [self.picture(series, step) for step in (0, 1)]
+        self.assertEqual([str(one.message) for one in told if "wall" in str(one.message)], ["Blocks that are not drawn, because others have cells of a higher dimension: 'wall'."])
+        self.assertEqual((series.mesh.n_cells, series.bounds, series.range("T")), (128, (0, 8, 0, 4, 0, 4), (1, 7)))
+        self.assertGreater(np.abs(pictures[0] - pictures[1]).max(), 10)
+        alone = pyvista.Plotter(off_screen=True, window_size=(80, 60))
+        self.addCleanup(alone.close)
+        nephoscope.add_cells(alone, steps[1], "T", clim=(1, 7))
+        single = alone.screenshot(return_img=True).astype(int)
+        self.assertLess(np.mean(np.abs(single - pictures[1]).max(axis=2) > 40), 0.25)  # the slider is on one of them
+        with self.assertRaisesRegex(TypeError, r"pass list\(dataset\)"):
+            nephoscope.animate(self.plotter, steps[0], "T")
+        called = nephoscope.animate(self.plotter, lambda time: steps[int(time)], "T", times=[0, 1])
+        self.assertEqual(called.mesh.n_cells, 128)
 
     def test_without_xarray(self):
         code = ("import sys; sys.modules['xarray'] = None\nimport nephoscope, pyvista\nmesh = pyvista.ImageData(dimensions=(4, 4, 4)); mesh['T'] = mesh.points[:, 0]\n"

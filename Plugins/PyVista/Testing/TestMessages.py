@@ -74,6 +74,24 @@ class Sources(unittest.TestCase):
 
 
 class Messages(unittest.TestCase):
+    def test_values_that_are_not_numbers(self):
+        """The warning names remedies of Python, and one of them works."""
+        mesh = pyvista.ImageData(dimensions=(5, 5, 5))
+        mesh["a"] = mesh.points[:, 0].astype(float)
+        mesh["a"][62] = np.nan
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            for data, told in ((mesh, 1), (mesh.threshold(scalars="a", all_scalars=True), 0)):
+                plotter = pyvista.Plotter(off_screen=True, window_size=(40, 40))
+                self.addCleanup(plotter.close)
+                with warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    add(plotter, data, "a")
+                    plotter.screenshot(return_img=True)
+                found = [str(one.message) for one in caught if "not finite" in str(one.message) or "not a number" in str(one.message)]
+                self.assertEqual(len(found), told, add.__name__)
+                self.assertTrue(all(re.search(r"nan_to_num.*hide_cells.*mesh.threshold\(scalars=name, all_scalars=True\)", one) for one in found), found)
+                self.assertFalse(any("Blank" in one for one in found))
+
     def test_no_dumps(self):
         for what, call in FAILURES.items():
             with self.subTest(what), self.assertRaises((RuntimeError, ValueError)) as caught:

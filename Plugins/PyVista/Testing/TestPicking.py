@@ -6,7 +6,7 @@ import unittest
 import nephoscope
 import numpy as np
 import pyvista
-from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkHardwarePicker, vtkPropPicker
+from vtkmodules.vtkRenderingCore import vtkCellPicker, vtkHardwarePicker, vtkPicker, vtkPropPicker
 
 
 class Pickers(unittest.TestCase):
@@ -29,6 +29,10 @@ class Pickers(unittest.TestCase):
         for name, add in volumes.items():
             with self.subTest(name):
                 self.assertEqual([self.picked(add, picker()) for picker in (vtkCellPicker, vtkPropPicker, vtkHardwarePicker)], ["added", "wall", "wall"])
+        for grid in (grid.cast_to_unstructured_grid(), grid.cast_to_structured_grid()):
+            for name, add in {"cells": lambda p: nephoscope.add_cells(p, grid), "splats": lambda p: nephoscope.add_splats(p, grid)}.items():
+                with self.subTest(f"{name} of {type(grid).__name__}"):
+                    self.assertEqual([self.picked(add, picker()) for picker in (vtkPicker, vtkCellPicker, vtkPropPicker, vtkHardwarePicker)], ["added", "wall", "wall", "wall"])
         self.assertEqual([self.picked(clouds, picker()) for picker in (vtkCellPicker, vtkPropPicker, vtkHardwarePicker)], ["added"] * 3)
 
 

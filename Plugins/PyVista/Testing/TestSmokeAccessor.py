@@ -22,6 +22,73 @@ def uniform(velocity=(2.0, 0.0, 0.0), n=9):
     return mesh
 
 
+def around_a_cylinder(radius=0.5, far=10.0):
+    """Potential flow along x around a cylinder along z, on a grid that has a hole there."""
+    share = (np.exp(4 * np.linspace(0, 1, 40)) - 1) / (np.exp(4) - 1)
+    r, angle, z = np.meshgrid(radius + (far - radius) * share, np.linspace(0, 2 * np.pi, 80), np.linspace(0, 5, 6), indexing="ij")
+    mesh = pyvista.StructuredGrid(r * np.cos(angle), r * np.sin(angle), z)
+    r, angle = r.ravel("F"), angle.ravel("F")
+    along, across = (1 - radius**2 / r**2) * np.cos(angle), -(1 + radius**2 / r**2) * np.sin(angle)
+    mesh["U"] = np.column_stack([along * np.cos(angle) - across * np.sin(angle), along * np.sin(angle) + across * np.cos(angle), 0 * r])
+    return mesh
+
+
+def mass(smoke):
+    return float(np.sum(smoke.compute_cell_sizes(length=False, area=False)["Volume"] * smoke.cell_data["Density"]))
+
+
+class Obstacles(unittest.TestCase):
+    """Smoke that ends at a body inside the data is told; smoke that leaves the data is not."""
+
+    def smoke(self, mesh, warned, **options):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            smoke = nephoscope.flow_volume(mesh, **{"radius": 0.8, "duration": 12, **options})
+        told = [str(one.message) for one in told if "obstacles" in str(one.message)]
+        emitted, lost, obstacle = (float(smoke.field_data[name][0]) for name in ("EmittedMass", "LostMass", "ObstacleMass"))
+        self.assertAlmostEqual(mass(smoke) / (emitted - lost), 1, 6)
+        self.assertEqual(len(told), warned)
+        return told, emitted, lost, obstacle
+
+    def test_a_cylinder(self):
+        mesh = around_a_cylinder()
+        for data in (mesh, mesh.cast_to_unstructured_grid()):
+            (told,), emitted, lost, obstacle = self.smoke(data, 1, center=(-5, 0, 2.5), initial_density=3)
+            self.assertAlmostEqual(obstacle / lost, 1, 3)  # the smoke does not reach the border of the data
+            self.assertIn(f"lacks smoke: {100 * obstacle / emitted:.0f} % of it ended", told)
+            for name in ("max_edge_length", "max_tetrahedra", "smoke.field_data['ObstacleMass']"):
+                self.assertIn(name, told)
+
+    def test_smaller_prisms(self):
+        """The remedy of the warning."""
+        mesh = around_a_cylinder()
+        _, _, default, _ = self.smoke(mesh, 1, center=(-5, 0, 2.5))
+        _, emitted, finer, obstacle = self.smoke(mesh, 1, center=(-5, 0, 2.5), max_edge_length=0.15)
+        self.assertLess(finer, 0.5 * default)
+        self.assertLess(obstacle, 0.1 * default)
+        smoke = mesh.nephoscope.flow_volume(center=(-5, 0, 2.5), radius=0.8, duration=12, max_edge_length=0.15)
+        self.assertAlmostEqual((obstacle + float(smoke.field_data["FoldedMass"][0])) / finer, 1, 3)
+
+    def test_the_border(self):
+        """It ends the smoke, not a body: beside the cylinder, and in a box."""
+        _, emitted, lost, obstacle = self.smoke(around_a_cylinder(), 0, center=(-5, 3, 2.5), duration=40)
+        self.assertGreater(lost, 0.4 * emitted)
+        self.assertEqual(obstacle, 0)
+        _, emitted, lost, obstacle = self.smoke(uniform((2.0, 0.5, 0.3)), 0, center=(0, 0, 0), duration=10)
+        self.assertGreater(lost, 0.4 * emitted)
+        self.assertEqual(obstacle, 0)
+
+    def test_missing_values(self):
+        """Values that are not numbers, with others behind them, and without."""
+        for behind in (True, False):
+            mesh = uniform(n=41)
+            x, y, z = mesh.points.T
+            mesh["wind"][(x > 0) & ((x < 2) | (not behind)) & (abs(y) < 3) & (abs(z) < 3)] = np.nan
+            _, emitted, lost, obstacle = self.smoke(mesh, int(behind), center=(-5, 0, 0), duration=5)
+            self.assertGreater(lost, 0.1 * emitted)
+            self.assertAlmostEqual(obstacle, lost if behind else 0, delta=1e-6 * emitted)
+
+
 class FlowVolume(unittest.TestCase):
     def test_cylinder(self):
         mesh = uniform()
@@ -61,6 +128,18 @@ class FlowVolume(unittest.TestCase):
         mesh["other"] = mesh["wind"]
         with self.assertRaisesRegex(RuntimeError, "choose one of them"):
             mesh.nephoscope.flow_volume(center=(0, 0, 0))
+
+    def test_much_coarser(self):
+        """Automatic lengths that the limit on tetrahedra has made much coarser are told of; a few turns are not."""
+        mesh = pyvista.ImageData(dimensions=(21, 21, 11), spacing=(0.1,) * 3, origin=(-1, -1, 0))
+        x, y, _ = mesh.points.T
+        mesh["U"] = np.column_stack([-y, x, 0 * x])
+        for duration, warned in ((6, 0), (60, 0), (600, 1)):
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                mesh.nephoscope.flow_volume(center=(0.5, 0, 0.5), radius=0.1, duration=duration)
+            self.assertEqual(len(told), warned, duration)
+        self.assertRegex(str(told[0].message), r"much coarser than usual.*max_tetrahedra \(100000\).*time_step of .*Allow more tetrahedra, or shorten the duration")
 
     def test_weather(self):
         """The first smoke is whole, and small enough to turn, whatever the exaggeration."""
@@ -129,6 +208,9 @@ class FlowVolume(unittest.TestCase):
             mesh.nephoscope.flow_volume(center=(100, 0, 0))
         with self.assertRaisesRegex(TypeError, "mesh is a list"):
             nephoscope.flow_volume([1])
+        for several, words in (([mesh, mesh], r"pass times=\[...\] with the times of the 2 meshes"), ({0: mesh, 1: mesh}, r"times=list\(meshes\)"), (lambda time: mesh, r"a function of the time pass times=")):
+            with self.assertRaisesRegex(TypeError, words):
+                nephoscope.flow_volume(several)
         with self.assertRaisesRegex(TypeError, "polygon is a ImageData"):
             mesh.nephoscope.flow_volume(mesh)
         for other in ({"radius": 1}, {"normal": (0, 0, 1)}):

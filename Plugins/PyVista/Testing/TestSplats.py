@@ -169,7 +169,7 @@ class Refused(Splats):
             self.fails(ValueError, rf"{group}\['{option}'\] is -1.*at least 0", **{group: {option: -1}})
         for group, option in (("level_of_detail", "unit"), ("level_of_detail", "measure"), ("vectors", "style"), ("vectors", "placement")):
             self.fails(ValueError, rf"{group}\['{option}'\] is 'best'; it must be one of", **{group: {option: "best"}})
-        self.fails(ValueError, "phase is nan", vectors=dict(phase=np.nan))
+        self.fails(ValueError, r"vectors\['phase'\] is nan", vectors=dict(phase=np.nan))
         self.fails(ValueError, "but true_speed is not True", vectors=dict(array="wind", time_scale=3600))
         self.fails(ValueError, r"vectors\['time_scale'\] is 0", vectors=dict(array="wind", true_speed=True, time_scale=0))
         self.fails(ValueError, r"vectors\['film_time'\] is nan", vectors=dict(array="wind", true_speed=True, film_time=np.nan))

@@ -59,6 +59,8 @@ def level_of_caller(*others: str) -> int:
 
 # Terms in messages of the mappers, and the arguments of the functions that add the mappers to a plotter.
 _NAMES_OF_MAPPERS = {
+    "Blank such points, or replace the values": "Replace the values (numpy.nan_to_num), hide their cells (mesh.hide_cells), or leave these out: "
+    "mesh.threshold(scalars=name, all_scalars=True)",
     "Choose an array with SelectScalarArray and SetScalarMode": "Choose an array by scalars",
     "ScalarOpacityUnitDistance of the property": "opacity_unit_distance", "ScalarOpacityUnitDistance": "opacity_unit_distance",
     "The scalar opacity function has no points, so that everything is transparent: add some with AddPoint":

@@ -71,12 +71,12 @@ class Vectors:
     segment_length: float = 2.0
     segment_width: float = 1.5
     layer_axis: str | int = "eye"
-    phase: float = 0.0
+    phase: float | None = None
     phase_cycles: int = 4
     phase_steps: int = 0
     true_speed: bool = False
     time_scale: float | None = None
-    film_time: float = 0.0
+    film_time: float | None = None
     speed_key: bool | None = None
     speed_unit: str | None = None
 
@@ -100,7 +100,8 @@ class Vectors:
             mapper.SetVectorUnit(self._number("unit", above=0))
         if self.maximum_speed is not None:
             mapper.SetMaximumSpeed(self._number("maximum_speed", above=0))
-        mapper.phase = self.phase
+        if self.phase is not None:
+            mapper.phase = self._number("phase")
         self._apply_speed(mapper)
         self._apply_placement(mapper, mesh)
         self._apply_array(mapper, mesh, association)
@@ -108,11 +109,12 @@ class Vectors:
 
     def _apply_speed(self, mapper: Any) -> None:
         mapper.SetTrueSpeed(bool(self.true_speed))
-        if not self.true_speed and (self.time_scale is not None or self.film_time != 0):
+        if not self.true_speed and (self.time_scale is not None or self.film_time not in (None, 0)):
             raise ValueError("vectors has the option 'time_scale' or 'film_time', but true_speed is not True.")
         if self.time_scale is not None:
             mapper.SetTimeScale(self._number("time_scale", above=0))
-        mapper.SetFilmTime(self._number("film_time"))
+        if self.film_time is not None:
+            mapper.film_time = self._number("film_time")
 
     def _apply_placement(self, mapper: Any, mesh: pyvista.DataSet) -> None:
         choose({"middle": mapper.SetVectorPlacementToMiddle, "layers": mapper.SetVectorPlacementToLayers}, self.placement, "vectors['placement']")

@@ -23,7 +23,7 @@ _NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "l
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
           "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
-          "Choose a velocity:": "Choose a velocity by vectors:", "Period": "period"}
+          "Choose a velocity:": "Choose a velocity by vectors:", "(ObstacleMass)": "(smoke.field_data['ObstacleMass'])", "Period": "period"}
 
 
 def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
@@ -98,7 +98,8 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     -------
     pyvista.UnstructuredGrid
         Tetrahedra. Cell arrays: ``EmissionStep`` (number of the time step), ``Age`` (s since the smoke left the polygon), ``Density``;
-        the sum of density times volume is the emitted mass. Point arrays: ``Age`` and those of `mesh`.
+        the sum of density times volume is the emitted mass. Point arrays: ``Age`` and those of `mesh`. Field arrays: ``EmittedMass``, ``LostMass``, the part that is
+        not in the volume, and of the latter, in a steady flow, ``ObstacleMass``, which ended at bodies inside the data, and ``FoldedMass``, of prisms that would have folded.
 
     Raises
     ------
@@ -114,7 +115,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     Warns
     -----
     RuntimeWarning
-        The warnings of the filter: a polygon partly outside the data, smoke coarser than requested.
+        The warnings of the filter: a polygon partly outside the data, smoke that ended at a body, smoke coarser than requested or much coarser than usual.
 
     Examples
     --------
@@ -143,7 +144,7 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
             raise ValueError("time or start_time is given without times, the times of the meshes of an unsteady flow.")
         mesh = meshed(mesh)
         if not isinstance(mesh, (pyvista.DataSet, vtkCompositeDataSet)):
-            raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or several meshes with times.")
+            raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset or MultiBlock, or several meshes with times.{_times_of(mesh)}")
         set_input(smoke, mesh)
     else:
         series = _unsteady(smoke, mesh, times, start_time)
@@ -173,6 +174,17 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
     smoke.SetTolerance(require_number(tolerance, "tolerance", above=0))
     smoke.SetMaximumNumberOfTetrahedra(int(require_number(max_tetrahedra, "max_tetrahedra", least=1, most=1e15)))
     return smoke, series
+
+
+def _times_of(mesh: Any) -> str:
+    """What a user who gives several meshes, or a function, has to add."""
+    if callable(mesh):
+        return " For a function of the time pass times=[...], the times that it is called with."
+    if isinstance(mesh, dict):
+        return " For meshes in a dict by time pass list(meshes.values()) and times=list(meshes)."
+    if isinstance(mesh, (list, tuple)) and len(mesh) > 1:
+        return f" For an unsteady flow pass times=[...] with the times of the {len(mesh)} meshes; for a steady flow pass one of them."
+    return ""
 
 
 def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Numbers, start_time: float | None) -> Series:

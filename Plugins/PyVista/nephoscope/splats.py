@@ -31,6 +31,23 @@ KERNEL_RADII = {"cubic": 1.556228, "quadratic": 1.37790, "gaussian": 1.916}  # c
 class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
     """The mapper with the properties that PyVista expects, and with the phase as a property."""
 
+    _is_free, _is_carried = True, False  # to be moved by a film, is moved by one
+
+    @property
+    def moves_by_itself(self) -> bool:
+        """Whether `animate` moves the vectors: the user has set neither ``phase`` nor ``film_time``."""
+        return self._is_free and self.GetPhase() == 0
+
+    def carry(self, carries: bool) -> None:
+        """Whether the vectors move at their speed in a film, although the user has not asked for ``true_speed``."""
+        if carries or self._is_carried:
+            self.SetTrueSpeed(carries)
+        self._is_carried = carries
+
+    def hold(self) -> None:
+        """Leaves ``phase`` and ``film_time`` as they are, also in a film."""
+        self._is_free = False
+
     def copy(self) -> TexturedSplatMapper:
         mapper = super().copy()
         if self.GetVectorColorFunction() is not None:
@@ -45,6 +62,8 @@ class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
     @phase.setter
     def phase(self, phase: float) -> None:
         self.SetPhase(require_number(phase, "phase"))
+        self.hold()
+        self.carry(False)
 
     @property
     def film_time(self) -> float:
@@ -54,6 +73,7 @@ class TexturedSplatMapper(MediumMapper, vtkTexturedSplatMapper):
     @film_time.setter
     def film_time(self, seconds: float) -> None:
         self.SetFilmTime(require_number(seconds, "film_time"))
+        self.hold()
 
 
 DETAIL_NAMES = {"error_tolerance": "tolerance", "error_unit": "unit", "error_measure": "measure", "interactive_splats": "interactive_splats",
@@ -172,15 +192,17 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         - ``segment_width``, default 1.5: width of segments in pixels, 0.1 to 100.
         - ``layer_axis``, default ``"eye"``: with the placement ``"layers"``, the axis 0, 1 or 2 of a structured grid whose index numbers the
           layers. ``"eye"``: the axis that points most towards the camera.
-        - ``phase``, default 0.0: position of the streaks in their loop, 0 to 1; 1 is the same as 0. Change it with ``volume.mapper.phase``.
+        - ``phase``, default 0.0: position of the streaks in their loop, 0 to 1; 1 is the same as 0. Change it with ``volume.mapper.phase``. `animate` moves the
+          streaks from step to step, unless you set ``phase`` here or there.
         - ``true_speed``, default False: patterns move at the speed of their vectors, by length of the vector * ``time_scale`` *
           ``volume.mapper.film_time``, instead of through a loop. ``phase`` and ``phase_cycles`` have no effect then.
         - ``time_scale``: with ``true_speed``, time that passes in the data in a second of the film, in the time unit of the vectors, > 0: 3600 is
           an hour for vectors in metres per second on a mesh in metres. Default: a round number for which the fastest patterns move by at most
           one period in a second; in a renderer the smallest of all volumes with ``true_speed``, so that their speeds are comparable.
-        - ``film_time``, default 0.0: with ``true_speed``, seconds since the start of the film. Change it with ``volume.mapper.film_time``.
+        - ``film_time``, default 0.0: with ``true_speed``, seconds since the start of the film. Change it with ``volume.mapper.film_time``; `animate` does, unless
+          you set it.
         - ``speed_key``: legend of the motion: an arrow as long as the way of a stated speed in a second of the film, the time that passes in
-          it, and the speed of the longest streaks or segments. Keys of several volumes stand one above the other. Default: with ``true_speed``, if the theme shows scalar bars.
+          it, and the speed of the fastest streaks or the longest segments. Keys of several volumes stand one above the other. Default: with ``true_speed``, if the theme shows scalar bars.
         - ``speed_unit``: unit of the vectors in the legend. With ``"m/s"``, for a mesh in metres, ways and times have units too. Default:
           ``"m/s"`` for ``DisplayVelocity``, the winds of a globe, otherwise none.
         - ``phase_cycles``, default 4: number of periods by which the fastest pattern moves in a loop, 1 to 1000.

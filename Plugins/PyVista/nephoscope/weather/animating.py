@@ -15,6 +15,8 @@ import numpy as np
 import pyvista
 
 from .._checks import listed
+from .._film_camera import is_framed, look_at_all_steps
+from .._film_motion import motion
 from .._options import refuse_unknown
 from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
@@ -37,12 +39,16 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         over the Earth or a map, on a dark background, with a vertical exaggeration of 30 unless you give one; flat, without exaggeration, if x and y are lengths.
     dataset : xarray.Dataset, Series, str, sequence or dict of pyvista.DataSet, or callable
         The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes. Or PyVista meshes of one type: a list, a dict by time, or a
-        function that takes one of `times` and returns the mesh. They are not changed.
+        function that takes one of `times` and returns the mesh. They are not changed. A mesh may be a MultiBlock, such as an OpenFOAM case: its blocks become one mesh,
+        without boundary patches. A mesh may also be the path of a file that `pyvista.read` reads; files are read when they are shown. One path may be that of a
+        file with several times (``"case.foam"``, ``"case.pvd"``), or a pattern (``"case_*.vtu"``), whose files are taken in the order of their names.
         Nothing is drawn of a mesh without points, such as smoke at the time of its release; `draw` gets the first that has points.
+        If the meshes move or grow, the camera sees all steps, unless you have set a camera.
     draw : str or callable
         A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, drawn by `add_cells`; or a function ``draw(plotter, mesh)`` that is called once and adds what you
         want to draw. The values of the mesh change with the time; of PyVista meshes, points and cells too. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
-        you give limits with ``clim``. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`.
+        you give limits with ``clim``. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`, whose streaks move from step to step, also on meshes that
+        stay the same: the fastest by at most their distance in a second of the film, or as their ``true_speed`` says. A ``phase`` or ``film_time`` that you set stays.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
     times : sequence, optional
@@ -62,7 +68,8 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     Returns
     -------
     Series
-        The series: ``len``, ``times``, ``seconds``, ``mesh``, ``range(name)``, ``show(step)``, ``close()`` and, by index, the mesh of each step.
+        The series: ``len``, ``times``, ``seconds``, ``mesh``, ``range(name)``, ``show(step)``, ``close()`` and, by index, the mesh of each step; of PyVista meshes also
+        ``bounds``, those of all steps.
 
     Raises
     ------
@@ -78,6 +85,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     look = _look(draw, options)
     series, draw = _series(dataset, draw, heights, options, 30.0 if whole else 1.0, times)
     whole = whole and not isinstance(series, MeshSeries)
+    before = set(plotter.renderer.actors)
     if callable(draw):
         _drawn(plotter, series, draw)
     elif whole:
@@ -86,8 +94,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     else:
         from ..cells import add_cells
         add_cells(plotter, series.mesh, draw, **look)
-    if series.step > 0:
-        _look_at(plotter)
+    _suit_to_all_steps(plotter, series, before, framerate)
     colour = "white" if np.mean(plotter.background_color.float_rgb) < 0.5 else "black"
     if show_time:
         _add_label(plotter, series, colour)
@@ -133,10 +140,14 @@ def _refuse(options: dict, heights: bool, reason: str) -> None:
     if making or heights:
         raise TypeError(f"{', '.join([*making, *['heights'] * heights])}: {reason}")
     from ..cells import add_cells
-    drawing = [name for name in options if name in signature(add_cells).parameters]
-    if drawing:
-        raise TypeError(f"animate() has no option {drawing[0]!r}; of those of add_cells it takes {listed(LOOK)}. Pass a function as draw: "
-                        f"lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, ..., {drawing[0]}=...).")
+    from ..splats import add_splats
+    for function in (add_cells, add_splats):
+        drawing = [name for name in options if name in signature(function).parameters]
+        if drawing:
+            name = function.__name__
+            takes = f"; of those of add_cells it takes {listed(LOOK)}" if function is add_cells else f", which belongs to {name}"
+            raise TypeError(f"animate() has no option {drawing[0]!r}{takes}. Pass a function as draw: "
+                            f"lambda plotter, mesh: nephoscope.{name}(plotter, mesh, ..., {drawing[0]}=...).")
     refuse_unknown(animate, options, LOOK)
 
 
@@ -169,12 +180,17 @@ def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None
             mapper.scalar_range = series.range(array)
 
 
-def _look_at(plotter: pyvista.BasePlotter) -> None:
-    """Looks at what is drawn, before a first step without points is shown."""
-    if not plotter.camera.is_set:
-        plotter.camera_position = plotter.renderer.get_default_cam_pos()
-        plotter.reset_camera(render=False)
-        plotter.camera.is_set = True
+def _suit_to_all_steps(plotter: pyvista.BasePlotter, series: Series, before: set[str], framerate: float) -> None:
+    """The camera sees the meshes of all steps, and the vectors that have been drawn, those of no actor in `before`, move from step to step."""
+    renderer = plotter.renderer
+    of_meshes = isinstance(series, MeshSeries)
+    if not renderer.camera.is_set and (series.step > 0 or of_meshes and series.moves) or is_framed(plotter):
+        look_at_all_steps(plotter, *((series.bounds, series.growth) if of_meshes else (series.mesh.bounds,)))
+    if of_meshes:
+        series.listen(lambda _: series.moved and renderer.ResetCameraClippingRange())
+    move = motion([actor for name, actor in renderer.actors.items() if name not in before], framerate)
+    if move is not None:
+        series.listen(move)
 
 
 def _add_label(plotter: pyvista.BasePlotter, series: Series, colour: str) -> None:

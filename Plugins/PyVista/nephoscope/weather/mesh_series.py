@@ -5,27 +5,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from datetime import date
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pyvista
 
+from .._mesh_files import are_mesh_files, expanded, one_volume, read_steps
 from .series import Series
 
 ACCEPTED = "a list of PyVista datasets, one for each time, a dict {time: dataset}, or a function of one of `times`"
 
 
 class MeshSeries(Series):
-    """A `Series` of meshes that exist already, or of a function that returns the mesh of a time. They are not changed: `mesh` is a copy of the first that has
-    points, and gets the points and cells of each step. A mesh without points needs no arrays: nothing is drawn."""
+    """A `Series` of meshes that exist already, of files that have them, or of a function that returns the mesh of a time. They are not changed: `mesh` is a copy
+    of the first that has points, and gets the points and cells of each step. A mesh without points needs no arrays: nothing is drawn. Blocks become one mesh."""
 
     def __init__(self, meshes: Any, times: Any = None) -> None:
         self._source = meshes if callable(meshes) else [_wrapped(mesh) for mesh in (meshes.values() if isinstance(meshes, Mapping) else meshes)]
         self._labels = list(meshes) if isinstance(meshes, Mapping) else None if times is None else list(times)
-        self._last: tuple[int, Any] = (-1, None)  # what the function has returned
+        self._last: tuple[int, Any] = (-1, None)  # what has been made
+        self._bounds: dict[int, tuple] = {}  # by step; of those that have been made
         self._require_meshes()
         self._sort()
-        self._kind = type(self._made(0) if callable(self._source) else self._source[0])
+        self._kind = type(self._made(0))
         first = next((step for step in range(len(self)) if self[step].n_points), 0)
         super().__init__([str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels], self[first].copy())
         self.step = first
@@ -39,8 +42,9 @@ class MeshSeries(Series):
             return
         if self._labels is not None and len(self._labels) != len(self._source):
             raise ValueError(f"There are {len(self._source)} meshes and {len(self._labels)} times; the numbers must be equal.")
-        for mesh in self._source:
-            _require_mesh(mesh, type(self._source[0]))
+        simple = [mesh for mesh in self._source if not isinstance(mesh, (pyvista.MultiBlock, Path))]
+        for mesh in simple:
+            _require_mesh(mesh, type(simple[0]))
 
     def _sort(self) -> None:
         """Sorts by time, if the times are numbers or dates."""
@@ -64,17 +68,42 @@ class MeshSeries(Series):
             return (times - times[0]) / np.timedelta64(1, "s")
         return times.astype(float) - float(times[0]) if times.dtype.kind in "iuf" else np.arange(len(self), dtype=float)
 
+    @property
+    def bounds(self) -> tuple[float, ...]:
+        """Least and greatest x, y and z of all steps, or of the sampled ones, as `pyvista.DataSet.bounds`: ``plotter.reset_camera(bounds=series.bounds)``."""
+        for step in self._sampled():
+            if int(step) not in self._bounds:
+                self._read(int(step))
+        found = np.array([box for box in self._bounds.values() if box[0] <= box[1]] or [self.mesh.bounds])
+        return tuple(float(value) for pair in zip(found[:, ::2].min(axis=0), found[:, 1::2].max(axis=0)) for value in pair)
+
+    @property
+    def moves(self) -> bool:
+        """Whether the steps have several bounds."""
+        return not np.allclose(self.bounds, self.mesh.bounds, rtol=0, atol=1e-6 * max(self.mesh.length, 1e-300))
+
+    @property
+    def growth(self) -> float:
+        """The diagonal of the largest step that has been read, over that of the step on display."""
+        diagonals = [float(np.linalg.norm(np.subtract(box[1::2], box[::2]))) for box in self._bounds.values() if box[0] <= box[1]]
+        return max([*diagonals, self.mesh.length]) / self.mesh.length if self.mesh.length else 1.0
+
+    @property
+    def moved(self) -> bool:
+        """Whether the steps that have been read have several bounds."""
+        return len(set(self._bounds.values())) > 1
+
     def _read(self, step: int) -> pyvista.DataSet:
-        if not callable(self._source):
-            return self._source[step]
         found = self._made(step)
         _require_mesh(found, self._kind)
+        self._bounds[step] = tuple(found.bounds) if found.n_points else (1.0, -1.0, 1.0, -1.0, 1.0, -1.0)
         return found
 
     def _made(self, step: int) -> Any:
-        """What the function returns; the last one is kept."""
+        """The mesh of a step; the last one is kept, because a function, a file or blocks take time."""
         if self._last[0] != step:
-            self._last = (step, _wrapped(self._source(self._labels[step])))
+            found = _wrapped(self._source(self._labels[step]) if callable(self._source) else self._source[step])
+            self._last = (step, one_volume(found, warns=self._last[0] < 0))
         return self._last[1]
 
     def _shape(self, found: pyvista.DataSet) -> None:
@@ -83,17 +112,19 @@ class MeshSeries(Series):
 
 
 def is_meshes(dataset: Any) -> bool:
-    """Whether `dataset` is meant as meshes of several times: something of VTK or PyVista, a function, or a list or dict of the former."""
+    """Whether `dataset` is meant as meshes of several times: something of VTK or PyVista, files of meshes, a function, or a list or dict of these."""
     if isinstance(dataset, (list, tuple, dict)) and not dataset:
         raise ValueError(f"dataset is empty; it must be {ACCEPTED}.")
     if isinstance(dataset, Iterator):
         raise TypeError(f"dataset is a {type(dataset).__name__}, which can be read only once; pass list(dataset).")
     first = next(iter(dataset.values() if isinstance(dataset, Mapping) else dataset), None) if isinstance(dataset, (list, tuple, dict)) else dataset
-    return isinstance(first, pyvista.DataObject) or hasattr(first, "GetDataObjectType") or callable(dataset)
+    return isinstance(first, pyvista.DataObject) or hasattr(first, "GetDataObjectType") or callable(dataset) or are_mesh_files(first)
 
 
 def mesh_series(dataset: Any, times: Any) -> MeshSeries:
     """The series; TypeError for a single mesh."""
+    if are_mesh_files(dataset):
+        dataset, times = read_steps(dataset, times)
     if not callable(dataset) and not isinstance(dataset, (list, tuple, dict)):
         blocks = " If its blocks are times, pass list(dataset)." if isinstance(dataset, pyvista.MultiBlock) else ""
         raise TypeError(f"dataset is a single {type(dataset).__name__}; it must be {ACCEPTED}.{blocks}")
@@ -103,13 +134,14 @@ def mesh_series(dataset: Any, times: Any) -> MeshSeries:
 
 
 def _wrapped(mesh: Any) -> Any:
+    if are_mesh_files(mesh):
+        return expanded(mesh)
     return pyvista.wrap(mesh) if hasattr(mesh, "GetDataObjectType") else mesh
 
 
 def _require_mesh(mesh: Any, kind: type) -> None:
     if not isinstance(mesh, pyvista.DataSet):
-        remedy = " Combine its blocks: mesh.combine()." if isinstance(mesh, pyvista.MultiBlock) else ""
-        raise TypeError(f"One of the meshes is a {type(mesh).__name__}; each must be a PyVista dataset.{remedy}")
+        raise TypeError(f"One of the meshes is a {type(mesh).__name__}; each must be a PyVista dataset, or the path of a file of one.")
     if not isinstance(mesh, kind):
         raise TypeError(f"One of the meshes is a {type(mesh).__name__}, another a {kind.__name__}; all must be of one type, for example by "
                         "mesh.cast_to_unstructured_grid().")

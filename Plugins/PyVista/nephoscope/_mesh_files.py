@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What `animate` takes beside datasets: files of meshes, and blocks, each of which becomes one mesh."""
+from __future__ import annotations
+
+import glob
+import warnings
+from pathlib import Path
+from typing import Any
+
+import pyvista
+
+from ._blocks import alike, cell_dimension, named_blocks
+from ._checks import listed
+from ._pipeline import level_of_caller
+
+# Names of files that pyvista.read reads as meshes; NetCDF, HDF5 and GRIB are weather here.
+ENDINGS = frozenset(".vtk .vtu .vtp .vts .vtr .vti .vtm .vtmb .pvtu .pvtp .pvts .pvtr .pvti .pvtk .vtkhdf .pvd .case .encas .foam .cgns .e .ex2 .exo .exii "
+                    ".msh .cas .inp .ply .stl .obj .xdmf .xmf .hdr .mha .mhd .nrrd".split())
+
+
+def are_mesh_files(path: Any) -> bool:
+    """Whether `path` is the path of a file of a mesh, or a pattern of such paths."""
+    return isinstance(path, (str, Path)) and Path(path).suffix.lower() in ENDINGS
+
+
+def expanded(path: str | Path) -> Path:
+    """The path of a file that exists; FileNotFoundError otherwise."""
+    if not Path(path).exists():
+        raise FileNotFoundError(f"No such file: {path}")
+    return Path(path)
+
+
+def read_steps(path: str | Path, times: Any) -> tuple[Any, Any]:
+    """The files of a pattern, or a function of the times that one file has; and the times."""
+    text = str(path)
+    if any(sign in text for sign in "*?[") and not Path(text).exists():
+        found = sorted(glob.glob(text))
+        if not found:
+            raise FileNotFoundError(f"No such file: {text}")
+        return found, times
+    reader = pyvista.get_reader(str(expanded(path)))
+    steps = list(getattr(reader, "time_values", []))
+    if len(steps) < 2:
+        raise TypeError(f"dataset is the single file {text!r}, which has one time; pass a list of files, one for each time, or a pattern such as 'case_*.vtu'.")
+    if times is not None:
+        raise TypeError(f"times is given, but the file {text!r} has times of its own.")
+
+    def read(time: float) -> Any:
+        reader.set_active_time_value(time)
+        return reader.read()
+    return read, steps
+
+
+def one_volume(mesh: Any, warns: bool) -> Any:
+    """The mesh of a file, and the blocks of a mesh as one dataset: those of the greatest dimension, so that the boundary patches of a volume are left out."""
+    mesh = pyvista.read(mesh) if isinstance(mesh, Path) else mesh
+    if not isinstance(mesh, pyvista.MultiBlock):
+        return mesh
+    blocks = [(name, block) for name, block in named_blocks(mesh) if block.n_points]
+    dimensions = [cell_dimension(block) for _, block in blocks]
+    used = [block for (_, block), dimension in zip(blocks, dimensions) if dimension == max(dimensions)]
+    others = [name for (name, _), dimension in zip(blocks, dimensions) if dimension < max(dimensions)]
+    if others and warns:
+        warnings.warn(f"Blocks that are not drawn, because others have cells of a higher dimension: {listed(others)}.", UserWarning, stacklevel=level_of_caller())
+    return pyvista.MultiBlock(alike(used)).combine(merge_points=max(dimensions) == 3) if used else pyvista.UnstructuredGrid()
