@@ -52,6 +52,8 @@ bool IsEmpty(vtkSMSourceProxy* source, int port)
   return data->GetNumberOfPoints() == 0 && data->GetNumberOfCells() == 0;
 }
 
+constexpr const char* solidColorIsChosen = "NephoscopeSolidColor"; // of displays
+
 // One level of a grid, or polygons: a volume would draw nothing.
 bool IsSheet(vtkPVDataInformation* data)
 {
@@ -167,14 +169,32 @@ void PrepareDisplay(vtkSMPVRepresentationProxy* display)
   }
 }
 
+// Whoever chooses Solid Color keeps it in other representations.
+void NoteSolidColor(vtkSMPVRepresentationProxy* display)
+{
+  if (display->GetUsingScalarColoring())
+  {
+    display->RemoveAnnotation(solidColorIsChosen);
+  }
+  else
+  {
+    display->SetAnnotation(solidColorIsChosen, "yes");
+  }
+}
+
 // As ParaView does for Volume: a medium of one colour says nothing about its data.
 void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
 {
   auto* display = vtkSMPVRepresentationProxy::SafeDownCast(caller);
   const char* property =
     static_cast<const char*>(data); // null for those of displays inside this one
+  if (display && property && std::string(property) == "ColorArrayName")
+  {
+    NoteSolidColor(display);
+  }
   if (!display || !property || std::string(property) != "Representation" ||
-    display->GetUsingScalarColoring() || display->GetSessionProxyManager()->GetInLoadXMLState())
+    display->GetUsingScalarColoring() || display->HasAnnotation(solidColorIsChosen) ||
+    display->GetSessionProxyManager()->GetInLoadXMLState())
   {
     return;
   }

@@ -248,15 +248,31 @@ def check_constant_fields():
 
 def check_switched():
     """A display that becomes a medium gets an array, as it does for Volume; one colour may be chosen afterwards."""
-    source, view = pvs.Wavelet(WholeExtent=[-3, 3] * 3), new_view(SIZE)
-    display = pvs.Show(source, view)
-    pvs.ColorBy(display, None)
+    view = new_view(SIZE)
     for representation in ("Cell Compositing", "Textured Splats"):
+        display = pvs.Show(pvs.Wavelet(WholeExtent=[-3, 3] * 3), view)
+        pvs.ColorBy(display, None)  # it is an outline, which has no array
         display.Representation = representation
         check(list(display.ColorArrayName) == ["POINTS", "RTData"], f"{representation} is coloured by {list(display.ColorArrayName)}")
         pvs.ColorBy(display, None)
         check(not display.ColorArrayName[1], f"{representation} cannot have one colour")
     pvs.Delete(view)
+
+
+def check_chosen_solid_color():
+    """Who has chosen Solid Color keeps it in the other representation; who chooses an array has that again."""
+    display = pvs.Show(pvs.Wavelet(), pvs.CreateRenderView())
+    display.SetRepresentationType("Cell Compositing")
+    check_display(display, "wavelet", "Cell Compositing", "RTData")
+    pvs.ColorBy(display, None)
+    for representation in ("Textured Splats", "Surface", "Cell Compositing"):
+        display.SetRepresentationType(representation)
+        check(not display.ColorArrayName[1], f"Solid Color becomes {display.ColorArrayName[1]} in {representation}")
+    pvs.ColorBy(display, ("POINTS", "RTData"))
+    pvs.ColorBy(display, None)
+    pvs.ColorBy(display, ("POINTS", "RTData"))
+    display.SetRepresentationType("Textured Splats")
+    check_display(display, "coloured again", "Textured Splats", "RTData")
 
 
 def settings_of(display, *names):
@@ -311,4 +327,5 @@ check_constant_fields()
 check_vectors()
 check_opacities()
 check_switched()
+check_chosen_solid_color()
 passed()
