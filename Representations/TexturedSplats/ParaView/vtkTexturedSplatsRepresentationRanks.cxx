@@ -4,6 +4,7 @@
 #include "vtkTexturedSplatsRepresentation.h"
 
 #include "ForwardedMessages.h"
+#include "RankRegions.h"
 #include "SplatKernel.h"
 #include "SplatMeeting.h"
 #include "SplatPieces.h"
@@ -17,8 +18,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
-#include "vtkPVRenderView.h"
-#include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -66,13 +65,8 @@ namespace
 // Empty where ranks do not draw in regions of their own.
 std::vector<nephoscope::SplatRegion> regionsOf(vtkView* view)
 {
-  auto* renderView = vtkPVRenderView::SafeDownCast(view);
-  auto* manager = renderView
-    ? vtkPVRenderViewDataDeliveryManager::SafeDownCast(renderView->GetDeliveryManager())
-    : nullptr;
-  const bool ordered = manager && manager->GetUseRedistributedDataAsDeliveredData();
-  return ordered ? nephoscope::regionsOfRanks(manager->GetCuts())
-                 : std::vector<nephoscope::SplatRegion>();
+  const std::vector<vtkBoundingBox>* boxes = nephoscope::boxesOfRanks(view);
+  return boxes ? nephoscope::regionsOfRanks(*boxes) : std::vector<nephoscope::SplatRegion>();
 }
 
 bool onAnyRank(bool here)
