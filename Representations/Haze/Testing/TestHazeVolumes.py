@@ -232,8 +232,9 @@ class Splats(ImageTestCase):
                 lengths = np.linalg.norm(offsets, axis=1)
                 starts, directions = np.tile(view.eye, (len(points), 1)), offsets / lengths[:, None]
             colors = haze.over(transfer.color(values), haze.transparency(starts, directions, lengths))
-            expected = splats.render(view, points, splats.lattice_jacobians(points, tuple(data.GetDimensions())), colors,
-                                     transfer.extinction(values))
+            dimensions = tuple(data.GetDimensions())
+            expected = splats.render(view, points, splats.lattice_jacobians(points, dimensions), colors,
+                                     transfer.extinction(values) * splats.lattice_shares(dimensions))
             self.check_float(image, expected, f"splats, {where}, {rays}", 4e-4)
 
     def test_vectors(self):

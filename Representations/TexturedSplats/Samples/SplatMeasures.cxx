@@ -69,6 +69,17 @@ struct SampleBox
   }
 };
 
+// The cell of a sample that is more than twice as long as the medium: it reaches to a stray point.
+bool reachesOut(const Vector3& half, const MediumBounds& bounds)
+{
+  bool out = false;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    out = out || half[axis] > bounds[2 * axis + 1] - bounds[2 * axis];
+  }
+  return out;
+}
+
 // Calls visit(id, place, jacobian, share) for all visible samples.
 template <typename Visit>
 void forEachSample(const SplatShapes& shapes, const Visit& visit)
@@ -161,7 +172,7 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
     shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian, double share) {
       addPlace(measures.Bounds, place.data());
       const Vector3 half = halfWithin(jacobian, share);
-      if (!SampleBox(place, half).LiesIn(common))
+      if (!SampleBox(place, half).LiesIn(common) || reachesOut(halfExtent(jacobian), common))
       {
         return;
       }
