@@ -154,9 +154,9 @@ class Mass(ImageTestCase):
     def test_hidden_points(self):
         """Each takes its share of the cells with it, as a point without a value does."""
         image = meshes.image((8, 4, 4), (0.125, 0.25, 0.25))
-        ghosts(image.GetPointData(), np.where(meshes.points_of(image)[:, 0] > 0.7, 2, 0))
-        self.check("hidden points", image, 5.5 / 8)
-        self.check("hidden points, list", as_list(image), 5.5 / 8)
+        for label, data in (("hidden points", image), ("hidden points, list", as_list(image))):
+            ghosts(data.GetPointData(), np.where(meshes.points_of(data)[:, 0] > 0.7, 2, 0))  # VTK 9.6 appends no cells that have such points
+            self.check(label, data, 5.5 / 8)
 
     def test_duplicates_are_no_border(self):
         """Two pieces with a layer of cells of each other have together the mass of the whole, and together the density of a whole at their border."""
