@@ -198,6 +198,9 @@ public:
    */
   double GetOverlap() const { return this->Overlap; }
 
+  /** More than rounding makes them overlap. */
+  bool IsWarped() const { return this->Overlap > 1e-3; }
+
 private:
   using Place = std::tuple<double, double, double, vtkIdType>;
 

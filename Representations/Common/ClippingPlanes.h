@@ -30,8 +30,8 @@ public:
   ClippingPlanes(vtkAbstractMapper* mapper, vtkRenderer* renderer);
 
   /**
-   * Adds the near and the far plane of the renderer's camera where they pass through the bounds, in world coordinates. Not the near plane of a
-   * perspective view that is so near that the eye may as well be there.
+   * Adds the near and the far plane of the renderer's camera where they pass through the bounds, which are in world coordinates. The near plane of
+   * a perspective view is left out if its distance from the eye is less than 1/200 of the diagonal of the bounds.
    */
   void AddPlanesOfCamera(vtkRenderer* renderer, const double bounds[6]);
 

@@ -40,7 +40,10 @@ inline bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
     longest * std::min(rounding * rounding, thinnest * thinnest * longest);
 }
 
-/** Makes the first three vertices run counterclockwise for who looks from outside. The first one stays. False: `inside` lies so near their plane that rounding decides. */
+/**
+ * Makes the first three vertices run counterclockwise as seen from outside. The first one stays. Returns false if `inside` is so near their plane
+ * that the side on which it lies is a matter of rounding.
+ */
 inline bool turnOutwards(const CellGeometry& geometry, BoundaryFace& face, const Vector3& inside)
 {
   const Vector3 a = geometry.Position(face[0]);

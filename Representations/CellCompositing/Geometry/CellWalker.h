@@ -60,7 +60,7 @@ public:
   }
 
   /** Whether the tetrahedra of the cell that was walked last overlap by more than a thousandth of it. */
-  bool IsWarped() const { return this->Source.GetOverlap() > 1e-3; }
+  bool IsWarped() const { return this->Source.IsWarped(); }
   /** Whether those of the cell that was walked last do. */
   bool TetrahedraFillCell() { return this->Source.TetrahedraFillCell(); }
 

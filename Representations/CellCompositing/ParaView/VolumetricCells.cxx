@@ -117,7 +117,6 @@ vtkSmartPointer<vtkUnstructuredGrid> visibleCells(vtkDataSet* data)
 
 WholeCells formOfWholeCells(vtkUnstructuredGrid* cells)
 {
-  constexpr double rounding = 1e-3;
   TetrahedronSource source(cells);
   bool warped = false;
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
@@ -130,7 +129,7 @@ WholeCells formOfWholeCells(vtkUnstructuredGrid* cells)
     if (!warped && !source.IsHidden(cell))
     {
       source.EmitTetrahedra(cell, [](const std::array<vtkIdType, 4>&) {});
-      warped = source.GetOverlap() > rounding;
+      warped = source.IsWarped();
     }
   }
   return warped ? WholeCells::Trilinear : WholeCells::Either;

@@ -183,6 +183,7 @@ vtkSmartPointer<vtkDataArray> shapesOf(
   }
   return array;
 }
+
 // Bounds of the samples of all ranks. Collective.
 vtkBoundingBox boundsOverRanks(const SplatShapes& shapes, vtkIdList* ids)
 {
