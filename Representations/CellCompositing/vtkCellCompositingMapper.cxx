@@ -352,7 +352,7 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
   }
   if (error.empty() && isNew(now.Contours))
   {
-    error = self.Pass.UploadContours(window, scene.GetContours());
+    error = self.Pass.UploadContours(window, scene);
   }
   if (error.empty() && (isNew(now.Polygons) || isNew(now.Topology)))
   {

@@ -32,6 +32,15 @@ std::string CellCompositingPass::UploadGeometry(vtkOpenGLRenderWindow* window,
                        : this->Projected.UploadGeometry(window, geometry);
 }
 
+std::string CellCompositingPass::UploadContours(
+  vtkOpenGLRenderWindow* window, const CellScene& scene)
+{
+  const std::string error = this->Contours.Upload(window, scene.GetContours());
+  return error.empty() && this->UseRays
+    ? this->Rays.UploadContoured(window, scene.GetGeometry(), scene.GetContours().Scalars)
+    : error;
+}
+
 std::string CellCompositingPass::UploadDrawn(vtkOpenGLRenderWindow* window, const CellScene& scene)
 {
   if (!this->UseRays)

@@ -60,10 +60,7 @@ public:
   {
     return this->Buffers.UploadCameraLight(window, light, width);
   }
-  std::string UploadContours(vtkOpenGLRenderWindow* window, const ContourScene& contours)
-  {
-    return this->Contours.Upload(window, contours);
-  }
+  std::string UploadContours(vtkOpenGLRenderWindow* window, const CellScene& scene);
   std::string UploadPolygons(vtkOpenGLRenderWindow* window, const PolygonScene& polygons,
     const CellGeometry& geometry, const TetrahedronNeighbors* neighbors)
   {

@@ -136,7 +136,7 @@ std::string upload(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, con
   error = error.empty() ? pass.UploadTransferFunctions(
                             window, scene.GetTransferFunctions(), scene.GetOpacityFunctions(), {})
                         : error;
-  error = error.empty() ? pass.UploadContours(window, scene.GetContours()) : error;
+  error = error.empty() ? pass.UploadContours(window, scene) : error;
   error = error.empty()
     ? pass.UploadPolygons(window, scene.GetPolygons(), scene.GetGeometry(), scene.GetNeighbors())
     : error;

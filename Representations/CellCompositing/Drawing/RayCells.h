@@ -57,6 +57,12 @@ public:
   {
     return this->Voxels.Upload(window, geometry, box, clearDistances);
   }
+  /** The array of points whose contours are drawn; empty if it is the coloured one. */
+  std::string UploadContoured(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const std::vector<float>& scalars)
+  {
+    return this->Voxels.UploadContoured(window, geometry, scalars);
+  }
   /** Pixels that may be drawn: those of the boundary. */
   PixelRegion FindRegion(
     const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const;

@@ -26,6 +26,7 @@
 #include "RayVoxelsFragment.h"
 #include "TetrahedronWalkShader.h"
 #include "VisibleDepthsShader.h"
+#include "VoxelContoursShader.h"
 #include "VoxelWalkShader.h"
 
 namespace nephoscope
@@ -64,9 +65,9 @@ std::string hexahedraShader(bool structured)
 std::string voxelsShader()
 {
   return withShaderParts(RayVoxelsFragment,
-    { { "VoxelWalk", VoxelWalkShader }, { "CubicPieces", CubicPiecesShader },
-      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "RaySegments", RaySegmentsShader } });
+    { { "VoxelWalk", VoxelWalkShader }, { "VoxelContours", VoxelContoursShader },
+      { "CubicPieces", CubicPiecesShader }, { "RayRange", RayRangeShader },
+      { "VisibleDepths", VisibleDepthsShader }, { "RaySegments", RaySegmentsShader } });
 }
 
 std::string mediumShader(bool structured)

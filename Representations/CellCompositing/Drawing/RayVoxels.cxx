@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace nephoscope
 {
@@ -107,6 +108,15 @@ std::string RayVoxels::UploadScalars(vtkOpenGLRenderWindow* window, const CellGe
     : error;
 }
 
+std::string RayVoxels::UploadContoured(
+  vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const std::vector<float>& scalars)
+{
+  constexpr float missing = 3e38f;
+  return uploadSquares(window, this->ContourSquares, geometry.Grid,
+    geometry.Lattice.Found ? scalars.size() : 0,
+    [&](std::size_t i) { return std::isnan(scalars[i]) ? missing : scalars[i]; });
+}
+
 std::string RayVoxels::Upload(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
   const CellBox& box, const std::vector<std::uint8_t>& clearDistances)
 {
@@ -121,8 +131,9 @@ bool RayVoxels::CanDraw(const CellDrawing& drawing) const
 {
   const bool opacityIsKnown = !drawing.Buffers.HasOpacityScalars() ||
     (this->HasOpacity && drawing.Options.Trilinear && !drawing.Options.CameraLight);
-  return this->Lattice.Found && opacityIsKnown && !drawing.Contours.IsUsed() &&
-    !drawing.Contours.HasPolygons() && !drawing.Buffers.HasLayers();
+  return this->Lattice.Found && opacityIsKnown &&
+    (!drawing.Contours.IsUsed() || drawing.Options.Trilinear) && !drawing.Contours.HasPolygons() &&
+    !drawing.Buffers.HasLayers();
 }
 
 void RayVoxels::SetGrid(vtkShaderProgram* program)
@@ -144,7 +155,21 @@ void RayVoxels::SetGrid(vtkShaderProgram* program)
   {
     program->SetUniformi("opacitySquares", this->OpacitySquares.Activate());
   }
+  if (program->IsUniformUsed("contourSquares"))
+  {
+    program->SetUniformi("contourSquares", this->ContourSquares.Activate());
+  }
   program->SetUniformi("clearDistances", this->ClearDistances.Activate());
+}
+
+void RayVoxels::SetRays(vtkShaderProgram* program, const SceneView& view)
+{
+  RayGeometry rays(view);
+  program->SetUniformMatrix3x3("rayPoint", rays.Point().data());
+  program->SetUniformMatrix3x3("rayDirection", rays.Direction().data());
+  float eye[4];
+  std::copy(view.EyeView, view.EyeView + 4, eye);
+  program->SetUniform4f("eyeVC", eye);
 }
 
 std::string RayVoxels::Draw(const CellDrawing& drawing)
@@ -163,9 +188,7 @@ std::string RayVoxels::Draw(const CellDrawing& drawing)
   drawing.SetUniforms(program);
   drawing.Buffers.SetSmallTable(program);
   this->SetGrid(program);
-  RayGeometry rays(drawing.View);
-  program->SetUniformMatrix3x3("rayPoint", rays.Point().data());
-  program->SetUniformMatrix3x3("rayDirection", rays.Direction().data());
+  this->SetRays(program, drawing.View);
   program->SetUniformi("maximumSteps", maximumSteps);
   {
     const OnlyInRanges ranges(state, drawing.Peel);
@@ -174,6 +197,7 @@ std::string RayVoxels::Draw(const CellDrawing& drawing)
   this->VertexArray->Release();
   this->Squares.Deactivate();
   this->OpacitySquares.Deactivate();
+  this->ContourSquares.Deactivate();
   this->ClearDistances.Deactivate();
   drawing.Finish();
   return std::string();
@@ -183,6 +207,7 @@ void RayVoxels::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Squares.Release(window);
   this->OpacitySquares.Release(window);
+  this->ContourSquares.Release(window);
   this->ClearDistances.Release(window);
   this->VertexArray->ReleaseGraphicsResources();
 }

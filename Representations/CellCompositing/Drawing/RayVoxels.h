@@ -3,8 +3,8 @@
 /**
  * Draws an evenly spaced grid ray by ray: the trilinear field of its cells or their tetrahedra. Where a ray is, is a matter of arithmetic.
  *
- * A ray skips invisible cells, by the distance to the next visible one (ClearDistances.h). Contour surfaces, polygons, layers, light
- * that depends on the direction of view and, in tetrahedra, an opacity array are left to RayCells.
+ * A ray skips invisible cells, by the distance to the next visible one (ClearDistances.h). Polygons, layers, light that depends on the
+ * direction of view and, in tetrahedra, contour surfaces and an opacity array are left to RayCells.
  */
 #ifndef RayVoxels_h
 #define RayVoxels_h
@@ -36,6 +36,8 @@ public:
   std::string Upload(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
     const CellBox& box, const std::vector<std::uint8_t>& clearDistances);
   std::string UploadScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
+  std::string UploadContoured(
+    vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const std::vector<float>& scalars);
   /** Draws into the bound framebuffer, which holds a transparent image. */
   std::string Draw(const CellDrawing& drawing);
 
@@ -44,11 +46,12 @@ public:
 
 private:
   void SetGrid(vtkShaderProgram* program);
+  void SetRays(vtkShaderProgram* program, const SceneView& view);
 
   ChessboardGrid Grid;
   CellBox Box;
   GridLattice Lattice;
-  BufferTexture Squares, OpacitySquares, ClearDistances;
+  BufferTexture Squares, OpacitySquares, ContourSquares, ClearDistances;
   bool HasOpacity = false; ///< where an array gives it, it is on points or cells as the colour is
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
 };

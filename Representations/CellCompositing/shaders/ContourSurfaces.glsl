@@ -89,6 +89,21 @@ vec4 contourColor(int contour, float s)
   return surface;
 }
 
+// Premultiplied colour and alpha of a contour surface at a place, where the colour function's scalar is s; the normal in model coordinates.
+vec4 contourSurface(int contour, float s, vec3 normal, vec3 positionVC)
+{
+  vec4 surface = contourColor(contour, s);
+  if (contourLighting)
+  {
+    surface.rgb = litColor(surface.rgb, unit(gradientMatrix * normal), positionVC);
+  }
+  surface = vec4(surface.a * surface.rgb, surface.a);
+#ifdef NEPHOSCOPE_HAZE
+  surface = hazedLight(surface, positionVC);
+#endif
+  return surface;
+}
+
 // Normal to the level sets of a linear field over a tetrahedron; its sign and length do not matter.
 vec3 levelNormal(vec3 a, vec3 b, vec3 c, vec3 d, vec4 scalars)
 {

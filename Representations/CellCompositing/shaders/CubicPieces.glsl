@@ -5,15 +5,45 @@
 const float cubicTolerance = 1.0 / 512.0;
 const float mostPieces = 16.0;
 
-// The coefficients of a polynomial from its values at 0, 1/3, 2/3 and 1.
+// The coefficients of a polynomial from its values at 0, 1/3, 2/3 and 1. From differences, since large values would be rounded.
 vec4 cubicThrough(vec4 v)
 {
-  return vec4(v.x, dot(v, vec4(-5.5, 9.0, -4.5, 1.0)), dot(v, vec4(9.0, -22.5, 18.0, -4.5)), dot(v, vec4(-4.5, 13.5, -13.5, 4.5)));
+  vec3 d = v.yzw - v.x;
+  return vec4(v.x, dot(d, vec3(9.0, -4.5, 1.0)), dot(d, vec3(-22.5, 18.0, -4.5)), dot(d, vec3(13.5, -13.5, 4.5)));
 }
 
 float cubicAt(vec4 cubic, float t)
 {
   return cubic.x + t * (cubic.y + t * (cubic.z + t * cubic.w));
+}
+
+// Where the polynomial turns back between 0 and 1, ascending; 1 where it does not.
+vec2 turnsOfCubic(vec4 cubic)
+{
+  float square = 3.0 * cubic.w, bend = cubic.z;
+  float root = bend * bend - square * cubic.y;
+  float sum = -bend - (bend < 0.0 ? -1.0 : 1.0) * sqrt(max(root, 0.0));
+  vec2 turns = vec2(square == 0.0 ? 1.0 : sum / square, sum == 0.0 ? 1.0 : cubic.y / sum);
+  turns = mix(turns, vec2(1.0), bvec2(root <= 0.0));
+  turns = mix(vec2(1.0), turns, bvec2(turns.x > 0.0 && turns.x < 1.0, turns.y > 0.0 && turns.y < 1.0));
+  return vec2(min(turns.x, turns.y), max(turns.x, turns.y));
+}
+
+// Where the polynomial has a value between two places, between which it does not turn back: by false position (Illinois).
+float crossingOfCubic(vec4 cubic, float value, float from, float to)
+{
+  float a = cubicAt(cubic, from) - value, b = cubicAt(cubic, to) - value;
+  for (int i = 0; i < 5; ++i)
+  {
+    float t = a == b ? to : clamp((from * b - to * a) / (b - a), from, to);
+    float here = cubicAt(cubic, t) - value;
+    bool ahead = (here < 0.0) == (a < 0.0);
+    b = ahead ? 0.5 * b : here;
+    a = ahead ? here : 0.5 * a;
+    from = ahead ? t : from;
+    to = ahead ? to : t;
+  }
+  return abs(a) < abs(b) ? from : to;
 }
 
 // A chord of a part 1 / n departs from the curve by an eighth of the second derivative, by n squared.

@@ -31,18 +31,9 @@ void enterContourLayer(int layer)
   }
 }
 
-// The tetrahedron that the ray is in: its vertices, of which it leaves the last one behind.
-struct Crossing
+// In model coordinates, in the tetrahedron with these vertices, at the place with these weights of them.
+vec3 contourNormal(ivec4 v, vec4 w)
 {
-  ivec4 vertices;
-  vec4 weights;  // of the vertices, where the surface is
-  vec2 scalars;  // of colour and opacity there
-  vec3 positionVC;
-};
-
-vec3 contourNormal(Crossing crossing)
-{
-  ivec4 v = crossing.vertices;
   vec4 a = element(points, v.x), b = element(points, v.y), c = element(points, v.z), d = element(points, v.w);
   vec4 scalars = vec4(a.w, b.w, c.w, d.w);
   if (!contourOfColor)
@@ -53,25 +44,9 @@ vec3 contourNormal(Crossing crossing)
   vec3 normal = levelNormal(a.xyz, b.xyz, c.xyz, d.xyz, scalars);
   if (smoothContourNormals)
   {
-    vec4 w = crossing.weights;
     vec3 gradient = w.x * element(contourGradients, v.x).xyz + w.y * element(contourGradients, v.y).xyz +
       w.z * element(contourGradients, v.z).xyz + w.w * element(contourGradients, v.w).xyz;
     normal = gradient == vec3(0.0) ? normal : gradient;
   }
-  return gradientMatrix * normal;
-}
-
-// Premultiplied colour and alpha.
-vec4 contourSurface(int contour, Crossing crossing)
-{
-  vec4 surface = contourColor(contour, crossing.scalars.x);
-  if (contourLighting)
-  {
-    surface.rgb = litColor(surface.rgb, unit(contourNormal(crossing)), crossing.positionVC);
-  }
-  surface = vec4(surface.a * surface.rgb, surface.a);
-#ifdef NEPHOSCOPE_HAZE
-  surface = hazedLight(surface, crossing.positionVC);
-#endif
-  return surface;
+  return normal;
 }

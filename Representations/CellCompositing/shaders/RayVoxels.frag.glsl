@@ -11,6 +11,7 @@ uniform FloatArray cellScalars;
 uniform FloatArray opacityScalars; // of cells
 uniform FloatArray clearDistances; // ClearDistances.h
 uniform mat4 MCVCMatrix;
+uniform vec4 eyeVC; // (position, 1) or (direction towards the eye, 0)
 uniform float extinctionScale; // extinction per world length at opacity 1
 // The pixel's ray goes through this point, amid the data, in this direction; relative to the centre of the data.
 noperspective in vec3 rayPointVSOutput;
@@ -28,6 +29,7 @@ float unity = 0.0; // RayCells.frag.glsl says why uniforms are copied
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::RaySegments
+//NEPHOSCOPE::ContourSurfaces
 //NEPHOSCOPE::RayRange
 //NEPHOSCOPE::CubicPieces
 //NEPHOSCOPE::VoxelWalk

@@ -17,6 +17,7 @@ vec3 rayStart = vec3(0.0), raySlope = vec3(0.0); // position and change along th
 vec3 wayPerNumber = vec3(0.0);                   // 1 / change
 vec3 forward = vec3(0.0);                        // 1 along the axes along which the ray goes up
 vec3 cell = vec3(0.0);
+vec3 axesAhead = vec3(0.0), axesBehind = vec3(0.0); // 1 for those across which the ray leaves the cell, and entered it; otherwise 0
 vec2 mirror = vec2(0.0);                         // x in the cell = mirror.x + mirror.y * x
 vec4 evenScalars = vec4(0.0), bends = vec4(0.0); // in the order of the heights
 
@@ -32,6 +33,11 @@ float lesserOf(vec3 v)
 {
   float xy = v.x < v.y ? v.x : v.y;
   return xy < v.z ? xy : v.z;
+}
+
+float lowestOf(vec4 v)
+{
+  return min(lesserOf(v.xyz), v.w);
 }
 
 int cellNumber()
@@ -98,12 +104,18 @@ struct CubicField
   vec2 range;
 };
 
+// The least and the greatest of the scalars of two squares.
+vec2 rangeOf(vec4 a, vec4 b)
+{
+  vec4 least = min(a, b), most = -max(a, b);
+  return vec2(lowestOf(least), -lowestOf(most));
+}
+
 CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
 {
   ivec3 c = ivec3(cell);
   int first = c.x + c.y * stride.y + c.z * stride.z;
   vec4 a = element(fieldSquares, first), b = element(fieldSquares, first + 1);
-  vec4 least = min(a, b), most = -max(a, b);
   vec4 values;
   for (int i = 0; i < 4; ++i)
   {
@@ -112,7 +124,7 @@ CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
     vec2 line = mix(s.xz, s.yw, p.y);
     values[i] = mix(line.x, line.y, p.z);
   }
-  return CubicField(cubicThrough(values), vec2(min(lesserOf(least.xyz), least.w), -min(lesserOf(most.xyz), most.w)));
+  return CubicField(cubicThrough(values), rangeOf(a, b));
 }
 
 float fieldAt(CubicField field, float t)
@@ -157,11 +169,6 @@ void addLinear(vec4 front, vec4 back, vec2 ways)
   vec2 weights = averageIntegration ? averageSegmentWeights(tau.x, tau.y) : thinSegmentWeights(tau.x, tau.y);
   vec4 added = (1.0 - light.a) * vec4(weights.x * front.rgb + weights.y * back.rgb, weights.x + weights.y);
   light += hazedThin(added, ways, 0.5 * (tau.x + tau.y));
-}
-
-float lowestOf(vec4 v)
-{
-  return min(lesserOf(v.xyz), v.w);
 }
 
 // The opacity from a scalar of its own upwards: as far as it is linear, its value, and its slope.
@@ -247,24 +254,31 @@ void addHazedPiece()
   }
 }
 
+void addFirstPiece()
+{
+  if (useHaze)
+  {
+    addHazedPiece();
+  }
+  else if (places.y > places.x)
+  {
+    addSegment(vec2(scalars.x, opacityScalarsHere.x), vec2(scalars.y, opacityScalarsHere.y), places.y - places.x);
+  }
+}
+
 void addPieces()
 {
   for (float piece = 0.0; piece < numberOfPieces; piece += 1.0)
   {
     vec3 next = trilinear ? cubicPlace(min((piece + 4.0) / numberOfPieces, 1.0)) : vec3(places.w, scalars.w, opacityScalarsHere.w);
-    if (useHaze)
-    {
-      addHazedPiece();
-    }
-    else if (places.y > places.x)
-    {
-      addSegment(vec2(scalars.x, opacityScalarsHere.x), vec2(scalars.y, opacityScalarsHere.y), places.y - places.x);
-    }
+    addFirstPiece();
     scalars = vec4(scalars.yzw, next.y);
     opacityScalarsHere = vec4(opacityScalarsHere.yzw, next.z);
     places = vec4(places.yzw, next.x);
   }
 }
+
+//NEPHOSCOPE::VoxelContours
 
 // Where the ray is in the box of cells: from, to.
 vec2 wayInBox(vec2 range)
@@ -281,7 +295,9 @@ vec2 wayInBox(vec2 range)
   vec3 outside = mix(vec3(3.0e38), vec3(-3.0e38), between);
   vec3 from = mix(min(toLow, toHigh), outside, level);
   vec3 to = mix(max(toLow, toHigh), -outside, level);
-  return vec2(max(range.x, max(from.x, max(from.y, from.z))), min(range.y, lesserOf(to)));
+  vec2 result = vec2(max(range.x, max(from.x, max(from.y, from.z))), min(range.y, lesserOf(to)));
+  axesBehind = vec3(equal(from, vec3(result.x)));
+  return result;
 }
 
 // Leaps to the far side of the cube of cells around the present one in which nothing is seen; returns the way there.
@@ -292,7 +308,8 @@ float leap(float way, float distance)
   float least = lesserOf(ways);
   vec3 place = floor(rayStart + least * raySlope);
   vec3 inCube = mix(clamp(place, min(far, cell), cell), clamp(place, cell, max(far - 1.0, cell)), forward);
-  cell = mix(inCube, far - 1.0 + forward, vec3(equal(ways, vec3(least))));
+  axesAhead = vec3(equal(ways, vec3(least)));
+  cell = mix(inCube, far - 1.0 + forward, axesAhead);
   return max(way, least);
 }
 
@@ -304,6 +321,9 @@ bool addCell(vec2 ways, bool isKnown, bool mustWait)
     scalars = vec4(element(cellScalars, cellNumber()).r);
     opacityScalarsHere = vec4(separateOpacity ? element(opacityScalars, cellNumber()).r : 0.0);
     places = ways.xyyy;
+    waysInCell = ways;
+    colorField = CubicField(vec4(scalars.x, 0.0, 0.0, 0.0), scalars.xx);
+    opacityField = CubicField(vec4(opacityScalarsHere.x, 0.0, 0.0, 0.0), opacityScalarsHere.xx);
   }
   else if (trilinear)
   {
@@ -314,7 +334,18 @@ bool addCell(vec2 ways, bool isKnown, bool mustWait)
     readScalars();
     findPieces(ways, isKnown, scalars.w);
   }
-  return addThinCell(mustWait);
+  if (useContours)
+  {
+    if (contourOfColor)
+    {
+      contourField = colorField;
+    }
+    else
+    {
+      contourField = fieldInCell(contourSquares, ways);
+    }
+  }
+  return addThinCell(mustWait || crossesContours());
 }
 
 void walkVoxels(vec2 range)
@@ -325,6 +356,7 @@ void walkVoxels(vec2 range)
   bool inside = way < ends.y;
   cell = clamp(floor(rayStart + way * raySlope), firstCell, lastCell);
   bool isKnown = false;
+  vec3 present = cell;
   for (int i = 0; i < maximumSteps && inside; ++i)
   {
     bool waits = false;
@@ -333,7 +365,7 @@ void walkVoxels(vec2 range)
     {
       float distance = floor(255.0 * element(clearDistances, cellNumber()).r + 0.5);
       float here = way;
-      vec3 present = cell;
+      present = cell;
       way = leap(here, max(distance, 1.0));
       vec3 following = cell;
       bool isSeen = distance == 0.0;
@@ -356,8 +388,19 @@ void walkVoxels(vec2 range)
       {
         break;
       }
+      layerIsKnown = false;
+      axesBehind = axesAhead;
     }
-    if (waits)
+    if (waits && useContours)
+    {
+      vec3 following = cell;
+      cell = present;
+      addCellWithContours(axesBehind, way <= ends.y ? axesAhead : vec3(0.0));
+      axesBehind = axesAhead;
+      cell = following;
+      inside = inside && !isOpaque();
+    }
+    else if (waits)
     {
       addPieces();
       inside = inside && !isOpaque();
