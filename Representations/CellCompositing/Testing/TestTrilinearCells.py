@@ -152,8 +152,18 @@ def probed(data, places):
     return values, inside
 
 
-def dense(data, view, transfer, field=None, samples=1200, opacity=None):
-    """Samples in the middles of as many parts of each ray, composited. opacity: the field of an array of its own."""
+def crossed(contoured, inside, surfaces):
+    """For each surface, (value, opacity, colour): where it lies between two samples of a ray."""
+    for value, opacity, rgb in surfaces:
+        above = contoured >= value
+        between = np.zeros(above.shape, bool)
+        between[:, :-1] = (above[:, 1:] != above[:, :-1]) & inside[:, 1:] & inside[:, :-1]
+        yield between, opacity, rgb
+
+
+def dense(data, view, transfer, field=None, samples=1200, opacity=None, surfaces=(), contoured=None):
+    """Samples in the middles of as many parts of each ray, composited, and surfaces between them. opacity, contoured: fields of arrays
+    of their own."""
     origins, directions, near, far = view.rays()
     middle = -np.einsum("ij,ij->i", origins, directions)
     start, end = np.maximum(near, middle - 0.9), np.minimum(far, middle + 0.9)
@@ -167,9 +177,13 @@ def dense(data, view, transfer, field=None, samples=1200, opacity=None):
     seen = opacity(places)[0].reshape(t.shape) if opacity else values.reshape(t.shape)
     values, inside = values.reshape(t.shape), inside.reshape(t.shape)
     depth = np.where(inside, transfer.extinction(seen), 0) * step[:, None]
-    passed = np.exp(-np.concatenate([np.zeros((len(t), 1)), np.cumsum(depth, axis=1)], axis=1))
-    weight = passed[:, :-1] - passed[:, 1:]
+    found = list(crossed(contoured(places)[0].reshape(t.shape) if contoured else values, inside, surfaces))
+    clear = np.exp(-depth) * np.prod([np.where(between, 1 - a, 1) for between, a, _ in found], axis=0)
+    reached = np.cumprod(np.concatenate([np.ones((len(t), 1)), clear[:, :-1]], axis=1), axis=1)
+    weight = reached * -np.expm1(-depth)
     rgba = np.concatenate([np.einsum("ij,ijk->ik", weight, transfer.color(values)), weight.sum(axis=1)[:, None]], axis=1)
+    for between, a, rgb in found:
+        rgba += (reached * np.exp(-depth) * between).sum(axis=1)[:, None] * a * np.append(rgb, 1)
     return rgba.reshape(view.height, view.width, 4)
 
 

@@ -29,26 +29,13 @@ vec2 turnsOfCubic(vec4 cubic)
   return vec2(min(turns.x, turns.y), max(turns.x, turns.y));
 }
 
-// Where the polynomial has a value between two places, between which it does not turn back: by false position (Illinois).
-float crossingOfCubic(vec4 cubic, float value, float from, float to)
+// A chord of a part 1 / n departs from the curve by an eighth of the second derivative, by n squared.
+float bendOfCubic(vec4 cubic)
 {
-  float a = cubicAt(cubic, from) - value, b = cubicAt(cubic, to) - value;
-  for (int i = 0; i < 5; ++i)
-  {
-    float t = a == b ? to : clamp((from * b - to * a) / (b - a), from, to);
-    float here = cubicAt(cubic, t) - value;
-    bool ahead = (here < 0.0) == (a < 0.0);
-    b = ahead ? 0.5 * b : here;
-    a = ahead ? here : 0.5 * a;
-    from = ahead ? t : from;
-    to = ahead ? to : t;
-  }
-  return abs(a) < abs(b) ? from : to;
+  return 0.25 * max(abs(cubic.z), abs(cubic.z + 3.0 * cubic.w));
 }
 
-// A chord of a part 1 / n departs from the curve by an eighth of the second derivative, by n squared.
 float countPieces(vec4 cubic)
 {
-  float bend = 0.25 * max(abs(cubic.z), abs(cubic.z + 3.0 * cubic.w));
-  return clamp(ceil(sqrt(bend / cubicTolerance)), 1.0, mostPieces);
+  return clamp(ceil(sqrt(bendOfCubic(cubic) / cubicTolerance)), 1.0, mostPieces);
 }

@@ -8,18 +8,23 @@
 // Constants: useContours, contourLighting, contourOfColor, smoothContourNormals.
 uniform FloatArray contourSquares; // where contours are of another array than colour; above `missing` where that has no value
 const float missing = 1.0e38;
-CubicField contourField = CubicField(vec4(0.0), vec2(0.0));
+CubicField contourField = noField;
 vec2 layerReach = vec2(0.0); // scalars of the layer: from, and below
 int contourLayerOfRay = 0;
 bool layerIsKnown = false;
 
+const float contourRounding = 1.0e-6; // amid a cell a surface is not crossed for less
+
+// The ray may leave its layer in the present cell.
 bool crossesContours()
 {
-  return useContours && !(contourField.range.x >= layerReach.x && contourField.range.y < layerReach.y);
+  return useContours &&
+    !(contourField.rangeOfRay.x >= layerReach.x + contourRounding && contourField.rangeOfRay.y < layerReach.y - contourRounding);
 }
 
-void keepLayer(int layer)
+void enterContourLayer(int layer)
 {
+  contourLayerOfRay = layer;
   layerReach.x = layer == 0 ? -3.0e38 : element(contours, 2 * (layer - 1)).r;
   layerReach.y = layer == numberOfContours ? 3.0e38 : element(contours, 2 * layer).r;
 }
@@ -33,32 +38,14 @@ vec4 contourSquare(int first)
 // those are the same in both cells, so that rounding does not count.
 int layerInFace(float scalar, vec3 axes, vec3 side)
 {
-  ivec3 low = ivec3(cell + axes * side);
-  bvec3 extends = lessThan(axes, vec3(0.5));
-  int first = low.x + low.y * stride.y + low.z * stride.z;
-  vec4 a = contourSquare(first), b = contourSquare(first + (extends.x ? 1 : 0));
-  if (!extends.y)
-  {
-    a = a.xxzz;
-    b = b.xxzz;
-  }
-  if (!extends.z)
-  {
-    a = a.xyxy;
-    b = b.xyxy;
-  }
+  bvec3 atLow = greaterThan(axes, side), atHigh = greaterThan(axes * side, vec3(0.5));
+  vec4 a = atHigh.x ? cellSquares[1] : cellSquares[0], b = atLow.x ? cellSquares[0] : cellSquares[1];
+  a = atLow.y ? a.xxzz : atHigh.y ? a.yyww : a;
+  b = atLow.y ? b.xxzz : atHigh.y ? b.yyww : b;
+  a = atLow.z ? a.xyxy : atHigh.z ? a.zwzw : a;
+  b = atLow.z ? b.xyxy : atHigh.z ? b.zwzw : b;
   vec2 range = rangeOf(a, b);
   return contourLayer(clamp(scalar, range.x, range.y));
-}
-
-// The layer at a place amid the cell, if the field leaves the present one by more than it is rounded.
-int layerAt(float place, int layer)
-{
-  const float rounding = 1.0e-6;
-  float scalar = fieldAt(contourField, place);
-  int there = contourLayer(scalar);
-  float value = element(contours, 2 * max(there > layer ? layer : layer - 1, 0)).r;
-  return there == layer || abs(scalar - value) > rounding ? there : layer;
 }
 
 vec3 gradientOfSquares(vec4 a, vec4 b, vec3 p)
@@ -83,8 +70,8 @@ vec3 smoothGradient(int first, vec3 p)
 // In model coordinates; the sign and the length do not matter.
 vec3 contourNormal(float way)
 {
-  vec3 p = clamp(rayStart + way * raySlope - cell, 0.0, 1.0);
-  ivec3 c = ivec3(cell);
+  vec3 p = clamp(rayStart + way * raySlope - cellAdded, 0.0, 1.0);
+  ivec3 c = ivec3(cellAdded);
   int first = c.x + c.y * stride.y + c.z * stride.z;
   vec3 gradient = vec3(0.0);
   if (smoothContourNormals)
@@ -104,63 +91,73 @@ void addSurface(int contour, vec3 place)
   light += (1.0 - light.a) * contourSurface(contour, place.y, normal, (MCVCMatrix * vec4(origin + place.x * along, 1.0)).xyz);
 }
 
-void addMedium(vec3 front, vec3 back)
+// The cell that is being added piece by piece: where its field turns back, how far it is added, and the layer in which the ray leaves it.
+bool inCell = false;
+vec2 turns = vec2(0.0);
+float partOfCell = 0.0;
+vec3 pieceFront = vec3(0.0);
+int lastLayer = 0;
+
+// The axes across which the ray entered and leaves the cell are 1, the others 0.
+void enterCell(vec3 entered, vec3 leaves)
 {
-  if (back.x > front.x)
-  {
-    places.xy = vec2(front.x, back.x);
-    scalars.xy = vec2(front.y, back.y);
-    opacityScalarsHere.xy = vec2(front.z, back.z);
-    addFirstPiece();
-  }
+  inCell = true;
+  turns = turnsOfCubic(contourField.cubic);
+  partOfCell = 0.0;
+  pieceFront = cubicPlace(0.0);
+  int first = layerInFace(fieldAt(contourField, 0.0), entered, 1.0 - forward);
+  lastLayer = layerInFace(fieldAt(contourField, 1.0), leaves, forward);
+  bool hasSurfaces = contourField.range.y < missing;
+  lastLayer = hasSurfaces ? lastLayer : first;
+  enterContourLayer(layerIsKnown && hasSurfaces ? contourLayerOfRay : first);
+  layerIsKnown = hasSurfaces;
 }
 
-// The cell whose fields are at hand. The axes across which the ray entered and leaves the cell are 1, the others 0.
-void addCellWithContours(vec3 entered, vec3 leaves)
+// Where the field passes a value between two places: along the chord, and from there by Newton.
+float placeOfValue(float value, float from, float to)
 {
-  int lowest = contourLayer(contourField.range.x);
-  if (contourField.range.y > missing || lowest == contourLayer(contourField.range.y))
+  vec4 cubic = contourField.cubic;
+  float front = cubicAt(cubic, from), change = cubicAt(cubic, to) - front;
+  float place = from + (to - from) * (change == 0.0 ? 1.0 : clamp((value - front) / change, 0.0, 1.0));
+  for (int i = 0; i < 2; ++i)
   {
-    layerIsKnown = false;
-    keepLayer(lowest);
-    addPieces();
-    return;
+    float slope = cubic.y + place * (2.0 * cubic.z + place * 3.0 * cubic.w);
+    float away = value - cubicAt(cubic, place);
+    place = clamp(slope == 0.0 ? place : place + away / slope, from, to);
   }
-  int layer = layerIsKnown ? contourLayerOfRay : layerInFace(fieldAt(contourField, 0.0), entered, 1.0 - forward);
-  contourLayerOfRay = layerInFace(fieldAt(contourField, 1.0), leaves, forward);
-  layerIsKnown = true;
-  keepLayer(contourLayerOfRay);
-  vec2 turns = turnsOfCubic(contourField.cubic);
+  return place;
+}
+
+// The pieces of the cell that are left, or those up to the next surface: the number of its contour; otherwise -1.
+int addPiecesToSurface()
+{
   float pieces = useCellScalars ? 1.0 : numberOfPieces;
-  float from = 0.0;
-  vec3 front = cubicPlace(from);
-  int most = 3 + int(mostPieces) + 3 * numberOfContours;
-  for (int i = 0; i < most; ++i)
+  int contour = -1;
+  while (inCell && contour < 0)
   {
-    float to = min((floor(from * pieces + 1.0e-3) + 1.0) / pieces, 1.0);
-    to = min(to, turns.x > from ? turns.x : turns.y > from ? turns.y : 1.0);
-    int there = to < 1.0 ? layerAt(to, layer) : contourLayerOfRay;
-    int contour = there > layer ? layer : layer - 1;
-    if (there != layer)
-    {
-      to = crossingOfCubic(contourField.cubic, element(contours, 2 * contour).r, from, to);
-    }
+    float to = min((floor(partOfCell * pieces + 1.0e-3) + 1.0) / pieces, 1.0);
+    to = min(to, turns.x > partOfCell ? turns.x : turns.y > partOfCell ? turns.y : 1.0);
+    float scalar = fieldAt(contourField, to);
+    bool atEnd = to >= 1.0;
+    bool up = atEnd ? lastLayer > contourLayerOfRay : scalar > layerReach.y + contourRounding;
+    bool down = atEnd ? lastLayer < contourLayerOfRay : scalar < layerReach.x - contourRounding;
+    contour = up ? contourLayerOfRay : down ? contourLayerOfRay - 1 : -1;
+    to = contour < 0 ? to : placeOfValue(up ? layerReach.y : layerReach.x, partOfCell, to);
     vec3 back = cubicPlace(to);
-    addMedium(front, back);
-    if (there != layer)
-    {
-      addSurface(contour, back);
-      layer += there > layer ? 1 : -1;
-    }
-    else if (to >= 1.0)
-    {
-      break;
-    }
-    if (isOpaque())
-    {
-      break;
-    }
-    front = back;
-    from = to;
+    places.xy = vec2(pieceFront.x, back.x);
+    scalars.xy = vec2(pieceFront.y, back.y);
+    opacityScalarsHere.xy = vec2(pieceFront.z, back.z);
+    addFirstPiece();
+    pieceFront = back;
+    partOfCell = to;
+    inCell = !isOpaque() && (contour >= 0 || !atEnd);
   }
+  return contour;
+}
+
+void addSurface(int contour)
+{
+  vec3 normal = contourLighting ? contourNormal(pieceFront.x) : vec3(0.0);
+  light += (1.0 - light.a) * contourSurface(contour, pieceFront.y, normal, (MCVCMatrix * vec4(origin + pieceFront.x * along, 1.0)).xyz);
+  enterContourLayer(contour < contourLayerOfRay ? contourLayerOfRay - 1 : contourLayerOfRay + 1);
 }

@@ -16,7 +16,7 @@ int parityOffset = 0;
 vec3 rayStart = vec3(0.0), raySlope = vec3(0.0); // position and change along the ray
 vec3 wayPerNumber = vec3(0.0);                   // 1 / change
 vec3 forward = vec3(0.0);                        // 1 along the axes along which the ray goes up
-vec3 cell = vec3(0.0);
+vec3 cell = vec3(0.0), cellAdded = vec3(0.0); // where the ray is; the cell that waits to be added
 vec3 axesAhead = vec3(0.0), axesBehind = vec3(0.0); // 1 for those across which the ray leaves the cell, and entered it; otherwise 0
 vec2 mirror = vec2(0.0);                         // x in the cell = mirror.x + mirror.y * x
 vec4 evenScalars = vec4(0.0), bends = vec4(0.0); // in the order of the heights
@@ -97,11 +97,12 @@ void findPieces(vec2 ways, bool isKnown, float front)
   places = vec4(ways.x, mix(ways.xx, ways.yy, bend), ways.y);
 }
 
-// The trilinear field along a ray through a cell, and the scalars between which it lies.
+// The trilinear field along a ray through a cell, and the scalars between which it lies in the cell, and along the ray.
 struct CubicField
 {
   vec4 cubic;
   vec2 range;
+  vec2 rangeOfRay;
 };
 
 // The least and the greatest of the scalars of two squares.
@@ -111,11 +112,15 @@ vec2 rangeOf(vec4 a, vec4 b)
   return vec2(lowestOf(least), -lowestOf(most));
 }
 
+vec4 cellSquares[2]; // of the field that was made last
+
 CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
 {
   ivec3 c = ivec3(cell);
   int first = c.x + c.y * stride.y + c.z * stride.z;
   vec4 a = element(fieldSquares, first), b = element(fieldSquares, first + 1);
+  cellSquares[0] = a;
+  cellSquares[1] = b;
   vec4 values;
   for (int i = 0; i < 4; ++i)
   {
@@ -124,7 +129,9 @@ CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
     vec2 line = mix(s.xz, s.yw, p.y);
     values[i] = mix(line.x, line.y, p.z);
   }
-  return CubicField(cubicThrough(values), rangeOf(a, b));
+  vec4 cubic = cubicThrough(values);
+  float beside = bendOfCubic(cubic) / 9.0; // of the chords between the values
+  return CubicField(cubic, rangeOf(a, b), vec2(lowestOf(values) - beside, beside - lowestOf(-values)));
 }
 
 float fieldAt(CubicField field, float t)
@@ -133,7 +140,8 @@ float fieldAt(CubicField field, float t)
 }
 
 // In pieces as RayHexahedra.frag.glsl has them; three of them if there are more.
-CubicField colorField = CubicField(vec4(0.0), vec2(0.0)), opacityField = CubicField(vec4(0.0), vec2(0.0));
+const CubicField noField = CubicField(vec4(0.0), vec2(0.0), vec2(0.0));
+CubicField colorField = noField, opacityField = noField;
 float numberOfPieces = 3.0;
 vec2 waysInCell = vec2(0.0);
 
@@ -146,13 +154,14 @@ vec3 cubicPlace(float t)
 void findCubicPieces(vec2 ways)
 {
   waysInCell = ways;
-  colorField = fieldInCell(squares, ways);
-  numberOfPieces = countPieces(colorField.cubic);
+  numberOfPieces = 1.0;
   if (separateOpacity)
   {
     opacityField = fieldInCell(opacitySquares, ways);
-    numberOfPieces = max(numberOfPieces, countPieces(opacityField.cubic));
+    numberOfPieces = countPieces(opacityField.cubic);
   }
+  colorField = fieldInCell(squares, ways);
+  numberOfPieces = max(numberOfPieces, countPieces(colorField.cubic));
   for (int i = 0; i < 4; ++i)
   {
     vec3 place = cubicPlace(min(float(i) / numberOfPieces, 1.0));
@@ -322,8 +331,8 @@ bool addCell(vec2 ways, bool isKnown, bool mustWait)
     opacityScalarsHere = vec4(separateOpacity ? element(opacityScalars, cellNumber()).r : 0.0);
     places = ways.xyyy;
     waysInCell = ways;
-    colorField = CubicField(vec4(scalars.x, 0.0, 0.0, 0.0), scalars.xx);
-    opacityField = CubicField(vec4(opacityScalarsHere.x, 0.0, 0.0, 0.0), opacityScalarsHere.xx);
+    colorField = CubicField(vec4(scalars.x, 0.0, 0.0, 0.0), scalars.xx, scalars.xx);
+    opacityField = CubicField(vec4(opacityScalarsHere.x, 0.0, 0.0, 0.0), opacityScalarsHere.xx, opacityScalarsHere.xx);
   }
   else if (trilinear)
   {
@@ -348,62 +357,97 @@ bool addCell(vec2 ways, bool isKnown, bool mustWait)
   return addThinCell(mustWait || crossesContours());
 }
 
-void walkVoxels(vec2 range)
+float way = 0.0;
+
+// From cell to cell, until the ray ends or a cell needs more than is done here: true. Pixels that are computed together wait there.
+bool walkOn(vec2 ends, inout bool inside, inout bool isKnown)
 {
   const int stepsAtOnce = useHaze ? 16 : 8;
+  bool waits = false;
+  for (int k = 0; k < stepsAtOnce; ++k)
+  {
+    float distance = floor(255.0 * element(clearDistances, cellNumber()).r + 0.5);
+    float here = way;
+    vec3 present = cell;
+    way = leap(here, max(distance, 1.0));
+    vec3 following = cell;
+    bool isSeen = distance == 0.0;
+    bool leavesHaze = useHaze && isSeen && min(way, ends.y) > hazeTo;
+    if (leavesHaze && here > hazeFrom)
+    {
+      cell = present;
+      way = here;
+      break;
+    }
+    if (isSeen)
+    {
+      cell = present;
+      waits = !addCell(vec2(here, min(way, ends.y)), isKnown, leavesHaze);
+      cell = following;
+    }
+    isKnown = isSeen;
+    inside = way < ends.y && isInBox() && !isOpaque();
+    if (waits || !inside)
+    {
+      cellAdded = present;
+      break;
+    }
+    layerIsKnown = false;
+    axesBehind = axesAhead;
+  }
+  return waits;
+}
+
+// The number of the contour whose surface the ray has come to; otherwise -1.
+int addWithContours(bool waits, vec2 ends)
+{
+  vec3 following = cell;
+  cell = cellAdded;
+  if (waits)
+  {
+    enterCell(axesBehind, way <= ends.y ? axesAhead : vec3(0.0));
+    axesBehind = axesAhead;
+  }
+  int contour = addPiecesToSurface();
+  cell = following;
+  return contour;
+}
+
+void walkVoxels(vec2 range)
+{
   vec2 ends = wayInBox(range);
-  float way = ends.x;
+  way = ends.x;
   bool inside = way < ends.y;
   cell = clamp(floor(rayStart + way * raySlope), firstCell, lastCell);
   bool isKnown = false;
-  vec3 present = cell;
-  for (int i = 0; i < maximumSteps && inside; ++i)
+  int contour = -1;
+  for (int i = 0; i < maximumSteps && (inside || inCell); ++i)
   {
-    bool waits = false;
-    fitHaze(way, 0.0);
-    for (int k = 0; k < stepsAtOnce; ++k)
+    const int cellsAtOnce = useContours ? 32 : 1; // before a surface is lit
+    for (int n = 0; n < cellsAtOnce && contour < 0 && (inside || inCell); ++n)
     {
-      float distance = floor(255.0 * element(clearDistances, cellNumber()).r + 0.5);
-      float here = way;
-      present = cell;
-      way = leap(here, max(distance, 1.0));
-      vec3 following = cell;
-      bool isSeen = distance == 0.0;
-      bool leavesHaze = useHaze && isSeen && min(way, ends.y) > hazeTo;
-      if (leavesHaze && here > hazeFrom)
+      bool waits = false;
+      fitHaze(way, 0.0);
+      if (!inCell)
       {
-        cell = present;
-        way = here;
-        break;
+        waits = walkOn(ends, inside, isKnown);
       }
-      if (isSeen)
+      if (useContours)
       {
-        cell = present;
-        waits = !addCell(vec2(here, min(way, ends.y)), isKnown, leavesHaze);
-        cell = following;
+        contour = addWithContours(waits, ends);
       }
-      isKnown = isSeen;
-      inside = way < ends.y && isInBox() && !isOpaque();
-      if (waits || !inside)
+      else if (waits)
       {
-        break;
+        addPieces();
       }
-      layerIsKnown = false;
-      axesBehind = axesAhead;
-    }
-    if (waits && useContours)
-    {
-      vec3 following = cell;
-      cell = present;
-      addCellWithContours(axesBehind, way <= ends.y ? axesAhead : vec3(0.0));
-      axesBehind = axesAhead;
-      cell = following;
       inside = inside && !isOpaque();
     }
-    else if (waits)
+    if (useContours && contour >= 0)
     {
-      addPieces();
+      addSurface(contour);
+      contour = -1;
       inside = inside && !isOpaque();
+      inCell = inCell && !isOpaque();
     }
   }
 }
