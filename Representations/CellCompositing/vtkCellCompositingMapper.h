@@ -247,8 +247,8 @@ public:
   ///@{
   /**
    * What is seen of the cells at a pixel of the window, counted from its lower left, as the last render drew them: along the pixel's ray, the
-   * place where the medium has become as opaque as PickOpacity. Thinner veils in front are looked through. The ray ends at opaque geometry and
-   * clipping planes, as when drawing; contour surfaces, polygons and other volumes are not counted. False, and -1 for cell and point, where the ray
+   * place where medium and contour surfaces together have become as opaque as PickOpacity. Thinner veils in front are looked through. The ray ends at
+   * opaque geometry and clipping planes, as when drawing; polygons and other volumes are not counted. False, and -1 for cell and point, where the ray
    * never becomes so opaque.
    * Position in world coordinates; numbers of the cell and of its point nearest to the place, in the input; the coloured scalar there.
    * Reads the depth buffer. Cost: as of one pass over the cells.
@@ -326,6 +326,7 @@ protected:
 
 private:
   bool HasSurfacesOrLayers() const;
+  bool HasPolygonsOrLayers() const;
   bool DrawsTrianglesOrFaces() const;
   std::string ChooseWayOfDrawing(vtkOpenGLRenderWindow* window);
   bool MayCrossWholeCells() const;

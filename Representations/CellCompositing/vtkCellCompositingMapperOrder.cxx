@@ -41,8 +41,12 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfBrokenRelations()
 
 bool vtkCellCompositingMapper::HasSurfacesOrLayers() const
 {
-  return this->GetNumberOfContourValues() > 0 || this->Contours->LayersAreUsed() ||
-    this->Internals->Scene.GetPolygons().IsUsed();
+  return this->GetNumberOfContourValues() > 0 || this->HasPolygonsOrLayers();
+}
+
+bool vtkCellCompositingMapper::HasPolygonsOrLayers() const
+{
+  return this->Contours->LayersAreUsed() || this->Internals->Scene.GetPolygons().IsUsed();
 }
 
 bool vtkCellCompositingMapper::DrawsTrianglesOrFaces() const

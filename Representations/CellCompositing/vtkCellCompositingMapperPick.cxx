@@ -112,6 +112,20 @@ double scalarOfPickedCell(vtkDataSet* data, const CellGeometry& geometry, vtkGen
   }
   return sum;
 }
+
+// Those that are drawn.
+void addSurfaces(const nephoscope::ContourScene& contours, nephoscope::PickMedium& medium)
+{
+  for (const nephoscope::ContourScene::Contour& contour : contours.Contours)
+  {
+    const double opacity = std::min(double(contour.Color[3]), 1.0);
+    if (opacity > 0)
+    {
+      medium.Surfaces.push_back({ double(contour.Value), opacity });
+    }
+  }
+  medium.Contoured = contours.OfColor ? nullptr : &contours.Scalars;
+}
 }
 
 void vtkCellCompositingMapper::SetPickOpacity(double opacity)
@@ -149,8 +163,11 @@ bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
   const double length = std::hypot(std::hypot(to[0] - from[0], to[1] - from[1]), to[2] - from[2]);
   nephoscope::PickMedium medium{ scene.GetOpacityFunctions(), scene.GetTablesOfTetrahedra(),
     length * this->OpacityScale / volume->GetProperty()->GetScalarOpacityUnitDistance() };
+  addSurfaces(scene.GetContours(), medium);
+  const bool whole = this->MayCrossWholeCells() ||
+    (geometry.Lattice.Found && scene.GetContours().IsUsed() && !this->HasPolygonsOrLayers());
   vtkNew<vtkGenericCell> cell;
-  if (this->IsTrilinear() && this->MayCrossWholeCells() && !geometry.HasOpacityScalars &&
+  if (this->IsTrilinear() && whole && !geometry.HasOpacityScalars &&
     (!geometry.Hexahedra.empty() || !geometry.Grid.IsEmpty()))
   {
     medium.Scalar = [&](std::int64_t number, double parameter) {

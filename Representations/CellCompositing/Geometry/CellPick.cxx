@@ -146,6 +146,14 @@ public:
       : this->Interpolate(parameter, [&](std::size_t point) { return values[point]; });
   }
 
+  double Contoured(double parameter) const
+  {
+    return this->Medium.Contoured
+      ? this->Interpolate(
+          parameter, [&](std::size_t point) { return (*this->Medium.Contoured)[point]; })
+      : this->Color(parameter);
+  }
+
   std::int64_t NearestPoint(double parameter) const
   {
     std::size_t best = 0;
@@ -223,6 +231,45 @@ double walk(const Values& values, const TransferFunctionTable& table, double sca
   }
   return -1;
 }
+
+/** The surfaces between two parameters, in the order of the ray: where, and their optical depths. */
+std::vector<std::pair<double, double>> findSurfaces(
+  const Values& values, const PickMedium& medium, double begin, double end)
+{
+  std::vector<std::pair<double, double>> found;
+  if (medium.Surfaces.empty())
+  {
+    return found;
+  }
+  const double front = values.Contoured(begin), back = values.Contoured(end);
+  for (const PickMedium::Surface& surface : medium.Surfaces)
+  {
+    if ((front >= surface.Value) != (back >= surface.Value))
+    {
+      const double part = (surface.Value - front) / (back - front);
+      found.emplace_back(begin + part * (end - begin), -std::log1p(-surface.Opacity));
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/** The same as walk(), and surfaces on the way. */
+double walkWithSurfaces(const Values& values, const PickMedium& medium,
+  const TransferFunctionTable& table, double begin, double end, double& left)
+{
+  for (const auto& surface : findSurfaces(values, medium, begin, end))
+  {
+    const double at = walk(values, table, medium.ExtinctionScale, begin, surface.first, left);
+    left -= surface.second;
+    if (at >= 0 || left <= 0)
+    {
+      return at >= 0 ? at : surface.first;
+    }
+    begin = surface.first;
+  }
+  return walk(values, table, medium.ExtinctionScale, begin, end, left);
+}
 }
 
 std::int64_t cellOfTetrahedron(const CellGeometry& geometry, std::int64_t tetrahedron)
@@ -247,8 +294,8 @@ PickedCell pickCell(
     const double step = (c.End - c.Begin) / n;
     for (int i = 0; i < n; ++i)
     {
-      const double at = walk(values, medium.Tables[number], medium.ExtinctionScale,
-        c.Begin + i * step, c.Begin + (i + 1) * step, left);
+      const double at = walkWithSurfaces(
+        values, medium, medium.Tables[number], c.Begin + i * step, c.Begin + (i + 1) * step, left);
       if (at >= 0)
       {
         return { c.Tetrahedron, values.NearestPoint(at), at, values.Color(at) };

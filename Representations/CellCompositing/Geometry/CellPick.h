@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Where a ray through cells has lost a given part of its light: what a user who points at a medium sees there. */
+/** Where a ray through cells and surfaces in them has lost a given part of its light: what a user who points at a medium sees there. */
 #ifndef CellPick_h
 #define CellPick_h
 
@@ -36,6 +36,14 @@ struct PickMedium
   double ExtinctionScale;                              ///< per length of the ray
   /** The normalised scalar of a cell that is not linear in its tetrahedra, at a parameter of the ray. Empty: it is. */
   std::function<double(std::int64_t cell, double parameter)> Scalar = {};
+  /** A contour surface, which takes its opacity from a ray at once. */
+  struct Surface
+  {
+    double Value, Opacity;
+  };
+  std::vector<Surface> Surfaces = {};
+  const std::vector<float>* Contoured =
+    nullptr; ///< of points; none: they are of the coloured array
 };
 
 /** The cell of the dataset. */

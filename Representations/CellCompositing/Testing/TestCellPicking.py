@@ -104,6 +104,43 @@ class Picking(ImageTestCase):
                             place = self.pick(scene, ours, x, y, drawn - 0.002)
                             np.testing.assert_allclose(scene.view().pixels(place[None])[0], (x + 0.5, y + 0.5), atol=1e-3)
 
+    def test_contour_surfaces(self):
+        """Without a medium: the first surface that makes the ray as opaque as asked. In a medium: what comes first."""
+        def surfaces(ours):
+            for i, (value, opacity) in enumerate(((0.45, 0.5), (0.55, 0.25))):
+                ours.SetContourValue(i, value)
+                ours.SetContourOpacity(i, opacity)
+            ours.SetCellInterpolation(self.interpolation)
+        clear, thin = constant(0.0), constant(0.05)
+        for kind, make in DATA.items():
+            for self.interpolation in (0, 1):
+                data = meshes.with_field(make(), X)
+                for transfer, opacity, value in ((clear, 0.1, 0.55), (clear, 0.5, 0.45), (thin, 0.1, 0.55), (thin, 0.65, 0.45)):
+                    with self.subTest(kind=kind, interpolation=self.interpolation, opacity=opacity):
+                        scene, ours = self.scene(data, transfer, configure=surfaces)
+                        place = self.pick(scene, ours, 23, 15, opacity)
+                        self.assertAlmostEqual(place[2], (value - 0.5 - 0.2 * place[0]) / 0.1, 4)
+                        self.assertAlmostEqual(ours.GetPickedScalar(), value, 5)
+                        self.check_in_cell(data, ours, place)
+                scene, ours = self.scene(data, clear, configure=surfaces)
+                ours.SetPickOpacity(0.63)
+                self.assertFalse(ours.Pick(scene.renderer, 23, 15))
+
+    def test_contour_surfaces_of_another_array(self):
+        data = meshes.with_field(meshes.with_field(DATA["grid"](), X), lambda c: 0 * c[:, 2] + 0.25, "cell")
+        window = Window(SIZE)
+        scene, ours = window.add_scene(), mapper()
+        data.GetPointData().GetArray("s").SetName("t")
+        ours.SetContourArrayName("t")
+        ours.SetContourValue(0, 0.55)
+        ours.SetContourOpacity(0, 1)
+        scene.add_volume(ours, data, constant(0.0), association="cell")
+        scene.look((0.03, 0.02, 5), (0.03, 0.02, 0), parallel_scale=0.8, near=0.1, far=20)
+        window.render()
+        place = self.pick(scene, ours, 23, 15)
+        self.assertAlmostEqual(place[2], (0.05 - 0.2 * place[0]) / 0.1, 4)
+        self.assertAlmostEqual(ours.GetPickedScalar(), 0.25, 5)
+
     def test_a_veil_is_looked_through(self):
         """Opacity 0.095 in front of what is dense: at the default the dense part is picked, at 0.05 the veil."""
         data = meshes.image((2, 2, 4), (1, 1, 0.5), (-1, -1, -1))
