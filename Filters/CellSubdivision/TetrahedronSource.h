@@ -37,7 +37,7 @@
 namespace nephoscope
 {
 
-/** Bytes: 1 for a cell of a grid whose first vertex is even, 2 where it is odd, 0 for other cells. */
+/** Bytes: 1 for a cell of a grid whose first vertex is even, 2 where it is odd; 3 and 4 for cells of ChessboardDivision.h; 0 for others. */
 constexpr const char* divisionName = "NephoscopeDivision";
 
 /** The grid of structured data with cells in three dimensions; empty for all other data. Its seam counts as open. */
@@ -72,12 +72,15 @@ inline ChessboardGrid findChessboardGrid(vtkDataSet* data)
 class TetrahedronSource
 {
 public:
-  explicit TetrahedronSource(vtkDataSet* data)
+  /** `divisions`, if given, in place of the cell array of that name. */
+  explicit TetrahedronSource(vtkDataSet* data, vtkUnsignedCharArray* divisions = nullptr)
     : Data(data)
     , Grid(vtkUnstructuredGrid::SafeDownCast(data))
     , CellGhosts(data->GetCellGhostArray())
     , PointGhosts(data->GetPointGhostArray())
-    , Divisions(vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(divisionName)))
+    , Divisions(divisions
+          ? divisions
+          : vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(divisionName)))
     , Chessboard(findChessboardGrid(data))
   {
   }
@@ -110,7 +113,7 @@ public:
   template <typename Emit>
   bool EmitTetrahedra(vtkIdType cell, Emit emit)
   {
-    this->Overlap = 0;
+    this->VolumeSum = this->VolumeSizes = 0;
     if (!this->Chessboard.IsEmpty())
     {
       for (const auto& t : this->Chessboard.Tetrahedra(cell))
@@ -121,7 +124,7 @@ public:
     }
     if (this->Divisions && this->Divisions->GetValue(cell) > 0)
     {
-      this->EmitFromGrid(this->Divisions->GetValue(cell) - 1, emit);
+      this->EmitFromGrid(this->Divisions->GetValue(cell), emit);
       return true;
     }
     const FaceList<int> faces = linearCellFaces(this->Type);
@@ -196,10 +199,13 @@ public:
    * The part of the volume of the tetrahedra in which they overlap, 0 to 1, for the cell last passed to EmitTetrahedra: more than rounding
    * in warped cells, whose tetrahedra are partly inside out. 0 for polyhedra (TetrahedraFillCell) and the cells of grids.
    */
-  double GetOverlap() const { return this->Overlap; }
+  double GetOverlap() const
+  {
+    return this->VolumeSizes > 0 ? 1 - std::abs(this->VolumeSum) / this->VolumeSizes : 0;
+  }
 
   /** More than rounding makes them overlap. */
-  bool IsWarped() const { return this->Overlap > 1e-3; }
+  bool IsWarped() const { return this->GetOverlap() > 1e-3; }
 
 private:
   using Place = std::tuple<double, double, double, vtkIdType>;
@@ -214,17 +220,45 @@ private:
 
   // A hexahedron or voxel, as in the grid that it comes from.
   template <typename Emit>
-  void EmitFromGrid(int oddOffset, Emit emit)
+  void EmitFromGrid(int division, Emit emit)
   {
     static constexpr std::array<int, 8> hexahedron{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
     const bool isVoxel = this->Type == VTK_VOXEL;
-    const auto point = [&](std::int64_t corner) {
-      const auto number = static_cast<std::size_t>(corner);
-      return this->Points->GetId(isVoxel ? corner : hexahedron[number]);
-    };
-    for (const auto& t : ChessboardGrid{ { 2, 2, 2 }, oddOffset }.Tetrahedra(0))
+    constexpr int mayBeWarped = 3;
+    if (division >= mayBeWarped)
     {
-      emit(std::array<vtkIdType, 4>{ { point(t[0]), point(t[1]), point(t[2]), point(t[3]) } });
+      this->KeepPlaces();
+    }
+    const vtkIdType* ids = this->Points->GetPointer(0);
+    for (const auto& corners : cellTetrahedra()[static_cast<std::size_t>((division - 1) & 1)])
+    {
+      std::array<int, 4> t;
+      std::transform(corners.begin(), corners.end(), t.begin(), [&](std::int64_t corner) {
+        return isVoxel ? static_cast<int>(corner) : hexahedron[static_cast<std::size_t>(corner)];
+      });
+      if (division >= mayBeWarped)
+      {
+        this->AddVolume(t);
+      }
+      emit(std::array<vtkIdType, 4>{ { ids[t[0]], ids[t[1]], ids[t[2]], ids[t[3]] } });
+    }
+  }
+
+  // Of a cell with an even, and with an odd first vertex.
+  using CellTetrahedra = std::array<std::array<std::int64_t, 4>, ChessboardGrid::TetrahedraPerCell>;
+  static const std::array<CellTetrahedra, 2>& cellTetrahedra()
+  {
+    static const std::array<CellTetrahedra, 2> both{ { ChessboardGrid{ { 2, 2, 2 }, 0 }.Tetrahedra(
+                                                         0),
+      ChessboardGrid{ { 2, 2, 2 }, 1 }.Tetrahedra(0) } };
+    return both;
+  }
+
+  void KeepPlaces()
+  {
+    for (vtkIdType i = 0; i < this->Points->GetNumberOfIds(); ++i)
+    {
+      this->Places[static_cast<std::size_t>(i)] = this->PlaceOf(this->Points->GetId(i));
     }
   }
 
@@ -233,24 +267,24 @@ private:
   {
     const vtkIdType* ids = this->Points->GetPointer(0);
     const int size = static_cast<int>(this->Points->GetNumberOfIds());
-    for (int i = 0; i < size; ++i)
-    {
-      this->Places[i] = this->PlaceOf(ids[i]);
-    }
+    this->KeepPlaces();
     if (this->MergeCoincident(size))
     {
       faces = this->WithoutRepeatedVertices(faces);
     }
-    double sum = 0, sizes = 0;
     decomposeCell(
       faces, [this](int a, int b) { return this->Places[a] < this->Places[b]; },
       [&](const std::array<int, 4>& t) {
-        const double volume = this->SixVolumes(t);
-        sum += volume;
-        sizes += std::abs(volume);
+        this->AddVolume(t);
         emit(std::array<vtkIdType, 4>{ { ids[t[0]], ids[t[1]], ids[t[2]], ids[t[3]] } });
       });
-    this->Overlap = sizes > 0 ? 1 - std::abs(sum) / sizes : 0;
+  }
+
+  void AddVolume(const std::array<int, 4>& t)
+  {
+    const double volume = this->SixVolumes(t);
+    this->VolumeSum += volume;
+    this->VolumeSizes += std::abs(volume);
   }
 
   double SixVolumes(const std::array<int, 4>& t) const
@@ -387,7 +421,7 @@ private:
   int Type = VTK_EMPTY_CELL;
   std::array<Place, 12> Places; // of the cell's vertices
   std::array<int, 12> Representatives;
-  double Overlap = 0;
+  double VolumeSum = 0, VolumeSizes = 0; // six times those of the tetrahedra, with and without sign
   std::vector<int> MergedFaces;
   PolyhedronSurface Surface;
   vtkNew<vtkIdList> Points;

@@ -3,6 +3,7 @@
 #include "CellGeometry.h"
 
 #include "CellWalker.h"
+#include "ChessboardDivision.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -78,6 +79,7 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
     this->PreferHexahedra(data, scalars, opacity, progress.Part(0.9, 1));
   }
   this->LayerArray = nullptr;
+  this->Divisions = nullptr;
   return std::string();
 }
 
@@ -129,6 +131,7 @@ bool CellGeometry::CopyPoints(vtkDataSet* data, const Progress& progress)
 bool CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, const Progress& progress)
 {
+  this->Divisions = chessboardDivision(data);
   std::vector<std::int64_t> first(static_cast<std::size_t>(data->GetNumberOfCells()) + 1, 0);
   if (!this->CountOfCells(data, scalars, opacity, first, progress.Part(0, 0.5))) // PASS 1
   {

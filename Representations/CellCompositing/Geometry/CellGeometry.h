@@ -17,6 +17,9 @@
 #include "ScalarSelection.h"
 #include "TetrahedronRay.h"
 
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
 #include <array>
 #include <cstdint>
 #include <string>
@@ -107,6 +110,8 @@ public:
   std::array<std::int64_t, 4> PointNumbers(std::int64_t tetrahedron) const;
   bool IsHidden(std::int64_t tetrahedron) const;
   ///@}
+  /** While it is built: how hexahedra are divided (ChessboardDivision.h). Null: by their coordinates. */
+  vtkUnsignedCharArray* GetDivisions() const { return this->Divisions; }
   /** Vertices relative to the centre. */
   std::array<Vector3, 4> Vertices(std::size_t tetrahedron) const;
   Vector3 Position(std::int32_t point) const
@@ -145,6 +150,8 @@ private:
     const Progress& progress);
 
   vtkDataArray* LayerArray = nullptr; // while building
+  vtkSmartPointer<vtkUnsignedCharArray>
+    Divisions; // of unstructured hexahedra, as in a grid; likewise
 };
 
 } // namespace nephoscope

@@ -28,7 +28,7 @@ class CellWalker
 public:
   CellWalker(vtkDataSet* data, const CellGeometry& geometry, const ScalarSelection& scalars,
     const ScalarSelection& opacity)
-    : Source(data)
+    : Source(data, geometry.GetDivisions())
     , Geometry(geometry)
     , Scalars(scalars)
     , Opacity(opacity)
