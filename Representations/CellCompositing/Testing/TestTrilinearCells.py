@@ -250,6 +250,30 @@ class TrilinearCells(unittest.TestCase):
                     self.assert_same(one, other, f"{name} {field.__name__} {view}", most=BENT if name == "bent" else 0)
                 self.assertEqual(pair[0].window.messages.all + pair[1].window.messages.all, [])
 
+    def test_the_same_cells_however_stored_as_tetrahedra(self):
+        """Without any setting: hexahedra are divided as those of a grid, in one piece or in blocks that repeat their points."""
+        def blocks(data):
+            append, i = vtkAppendFilter(), data.GetExtent()[1] // 2
+            for low, high in ((0, i), (i, data.GetExtent()[1])):
+                block = data.NewInstance()
+                block.ShallowCopy(data)
+                block.Crop([low, high, *data.GetExtent()[2:]])
+                append.AddInputData(block)
+            append.Update()
+            return append.GetOutput()
+
+        for name, data in (("tapered", tapered()), ("bent", bent(6, 0.01)), ("shell", shell())):
+            with_values(data, without_jumps(steep) if name == "shell" else steep)
+            one = Drawn(data, CLEAR_BELOW, trilinear=False)
+            stored = {"unstructured": unstructured(data), "in another order": turned(unstructured(data)), "blocks": blocks(data)}
+            self.assertEqual(stored["blocks"].GetNumberOfCells(), data.GetNumberOfCells())
+            for label, cells in stored.items():
+                other = Drawn(cells, CLEAR_BELOW, lambda _, made: made.SetCellInterpolationToAutomatic(), trilinear=False)
+                for view in VIEWS:
+                    if name == "shell" and view == "in_a_plane":
+                        continue  # rays within faces
+                    self.assert_same(one.picture(VIEWS[view]), other.picture(VIEWS[view]), f"{name} {label} {view}")
+
     def test_vertices_in_any_order(self):
         for name, data in (("even", even()), ("bent", bent())):
             data = unstructured(with_values(data, steep))

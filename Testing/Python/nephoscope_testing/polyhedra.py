@@ -6,6 +6,7 @@ from itertools import combinations
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_EMPTY_CELL, VTK_HEXAHEDRON, VTK_VOXEL
 
 from .crossings import dot
 
@@ -105,8 +106,10 @@ def _hidden(dataset):
 
 
 def from_dataset(dataset, name="s", association="point", decompose=False):
-    """The 3-D cells of any vtkDataSet. decompose: cone every cell into tetrahedra first (non-planar faces)."""
+    """The 3-D cells of any vtkDataSet. decompose: divide every cell into tetrahedra first (non-planar faces): hexahedra as the squares of
+    a chessboard where all cells are hexahedra that can be coloured so, others as cones."""
     values, hidden = _scalars(dataset, name, association), _hidden(dataset)
+    odd = chessboard(dataset) if decompose else None
     corners, faces, scalars, keys = [], [], [], []
     for i in range(dataset.GetNumberOfCells()):
         cell = dataset.GetCell(i)
@@ -115,7 +118,8 @@ def from_dataset(dataset, name="s", association="point", decompose=False):
         ids, loops = _cell_faces(cell)
         points = np.array([dataset.GetPoint(p) for p in ids])
         s = values[ids] if association == "point" else np.full(len(ids), values[i])
-        for part in (cone(points, loops) if decompose else [None]):
+        parts = [None] if not decompose else cone(points, loops) if odd is None else by_colors([odd[k] for k in ids], loops)
+        for part in parts:
             take = list(range(len(ids))) if part is None else list(part)
             local = loops if part is None else [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]]
             corners.append(points[take])
@@ -136,6 +140,65 @@ def _cell_faces(cell):
             loop = [loop[0], loop[1], loop[3], loop[2]]
         loops.append(loop)
     return ids, loops
+
+
+def _edges(cell):
+    for e in range(cell.GetNumberOfEdges()):
+        ids = cell.GetEdge(e).GetPointIds()
+        yield ids.GetId(0), ids.GetId(1)
+
+
+def _spread(color, neighbors, start):
+    """Colours what is connected to `start`, whose colour is known. False where one point would need both colours."""
+    waiting, fits = [start], True
+    while waiting:
+        point = waiting.pop()
+        for other, change in neighbors.get(point, ()):
+            if other not in color:
+                color[other] = color[point] ^ change
+                waiting.append(other)
+            fits &= color[other] == color[point] ^ change
+    return fits
+
+
+def chessboard(dataset):
+    """For each point of a mesh of hexahedra and voxels 0 or 1, another at the other end of each edge, 0 at the first of each part; where
+    parts repeat their points, equal colours at equal places. None: other cells, or there are no such colours."""
+    cells = [dataset.GetCell(i).GetCellType() for i in range(dataset.GetNumberOfCells())]
+    if any(kind not in (VTK_EMPTY_CELL, VTK_HEXAHEDRON, VTK_VOXEL) for kind in cells):
+        return None
+    neighbors = {}
+    for i, kind in enumerate(cells):
+        for a, b in _edges(dataset.GetCell(i)) if kind != VTK_EMPTY_CELL else ():
+            neighbors.setdefault(a, set()).add((b, 1))
+            neighbors.setdefault(b, set()).add((a, 1))
+    color, parts = {}, 0
+    for point in sorted(neighbors):
+        if point not in color:
+            color[point] = 0
+            parts += 1
+            if not _spread(color, neighbors, point):
+                return None
+    if parts > 1:
+        where = {}
+        for point in sorted(neighbors):
+            first = where.setdefault(dataset.GetPoint(point), point)
+            neighbors[point].add((first, 0))
+            neighbors[first].add((point, 0))
+        color = {}
+        for point in sorted(neighbors):
+            if point not in color:
+                color[point] = 0
+                _spread(color, neighbors, point)
+    return color
+
+
+def by_colors(odd, loops):
+    """The tetrahedron of a hexahedron's four even vertices, and one at each odd vertex with the three next to it."""
+    yield tuple(k for k in range(8) if not odd[k])
+    for k in range(8):
+        if odd[k]:
+            yield (k, *sorted({n for loop in loops if k in loop for n in (loop[loop.index(k) - 1], loop[(loop.index(k) + 1) % len(loop)])}))
 
 
 def cone(points, loops):

@@ -75,6 +75,8 @@ TEST(CellGeometry, LinearCells)
 TEST(CellGeometry, Polyhedra)
 {
   auto grid = unitCubeOf(VTK_HEXAHEDRON);
+  const vtkIdType corner = 0;
+  grid->InsertNextCell(VTK_VERTEX, 1, &corner); // not hexahedra alone: divided by coordinates
   vtkNew<vtkUnstructuredGrid> polyhedra;
   polyhedra->SetPoints(grid->GetPoints());
   const vtkIdType faces[] = { 6, 4, 0, 4, 7, 3, 4, 1, 2, 6, 5, 4, 0, 1, 5, 4, 4, 3, 7, 6, 2, 4, 0,
