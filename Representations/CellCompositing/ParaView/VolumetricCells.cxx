@@ -23,6 +23,50 @@ bool mayHoldVolumes(vtkDataSet* data)
   return data && data->GetNumberOfCells() > 0 && !vtkPolyData::SafeDownCast(data);
 }
 
+bool isPointOrLine(int type)
+{
+  return type == VTK_VERTEX || type == VTK_LINE;
+}
+
+// Whether a cell has the points that it has in a grid whose rows have so many points.
+bool isCellOfGrid(vtkIdType cell, int type, const vtkIdType* ids, vtkIdType row)
+{
+  if (isPointOrLine(type))
+  {
+    return ids[0] == cell && (type == VTK_VERTEX || ids[1] == cell + 1);
+  }
+  const vtkIdType first = cell + cell / (row - 1), above = first + row;
+  const int right = type == VTK_PIXEL ? 3 : 2;
+  return ids[0] == first && ids[1] == first + 1 && ids[right] == above + 1 &&
+    ids[5 - right] == above;
+}
+
+/**
+ * Whether the cells are all those of a grid that is one point thick: what a rank gets of a grid that has fewer layers of cells than there are
+ * ranks.
+ */
+bool isLayerOfPoints(vtkDataSet* data)
+{
+  const int type = data->GetCellType(0);
+  const bool isFlat = type == VTK_PIXEL || type == VTK_QUAD;
+  if (!isFlat && !isPointOrLine(type))
+  {
+    return false;
+  }
+  vtkNew<vtkIdList> points;
+  data->GetCellPoints(0, points);
+  const vtkIdType row = isFlat ? points->GetId(type == VTK_PIXEL ? 2 : 3) : 0;
+  const vtkIdType rows = row > 1 ? data->GetNumberOfPoints() / row : 0;
+  bool isLayer = !isFlat || (rows > 1 && data->GetNumberOfCells() == (row - 1) * (rows - 1));
+  for (vtkIdType cell = 0; isLayer && cell < data->GetNumberOfCells(); ++cell)
+  {
+    data->GetCellPoints(cell, points);
+    isLayer =
+      data->GetCellType(cell) == type && isCellOfGrid(cell, type, points->GetPointer(0), row);
+  }
+  return isLayer;
+}
+
 void removeGhosts(vtkDataSet* data)
 {
   data->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
@@ -67,9 +111,11 @@ bool isAxisAligned(vtkDataSet* data)
   return vtkRectilinearGrid::SafeDownCast(data) || vtkImageData::SafeDownCast(data);
 }
 
-vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input)
+vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input, bool isPart)
 {
-  return appendedBlocks(input, mayHoldVolumes);
+  return appendedBlocks(input, [isPart](vtkDataSet* data) {
+    return mayHoldVolumes(data) && !(isPart && isLayerOfPoints(data));
+  });
 }
 
 vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data)

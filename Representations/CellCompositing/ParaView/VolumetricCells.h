@@ -20,9 +20,10 @@ bool isAxisAligned(vtkDataSet* data);
 
 /**
  * The dataset to draw: `input` itself (a shallow copy), or the blocks of a composite that have 3-D cells, appended.
- * Null when there is nothing volumetric in it.
+ * Null when there is nothing volumetric in it. `isPart`: other ranks have others; the layer of points, without volume, that is left for a rank where a grid
+ * has too few cells for all of them counts as nothing.
  */
-vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input);
+vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input, bool isPart);
 
 /** The dataset itself or, if it has polyhedra that are not convex, a dataset in which tetrahedra replace them. */
 vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data);

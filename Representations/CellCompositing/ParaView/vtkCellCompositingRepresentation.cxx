@@ -40,7 +40,8 @@ vtkCellCompositingRepresentation::~vtkCellCompositingRepresentation() = default;
 
 void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
 {
-  this->Piece = nephoscope::withConvexCells(nephoscope::volumetricPart(input));
+  this->Piece =
+    nephoscope::withConvexCells(nephoscope::volumetricPart(input, GetNumberOfRanks() > 1));
   int association = 0;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const nephoscope::CellMedium medium{ scalars,
