@@ -10,6 +10,7 @@
 #ifndef TetrahedronSource_h
 #define TetrahedronSource_h
 
+#include "CellCorners.h"
 #include "ChessboardGrid.h"
 #include "HigherOrderCells.h"
 #include "LinearCellFaces.h"
@@ -107,6 +108,46 @@ public:
   vtkIdList* GetPoints() const { return this->Points; }
 
   /**
+   * Finds the shape of the cell last passed to IsHidden. Where it is misnumbered, GetPoints() has its points in the better order from then on;
+   * EmitTetrahedra does this too. Cells of grids count as whole.
+   */
+  CellShape PutInOrder(vtkIdType cell)
+  {
+    const int division = this->Divisions ? this->Divisions->GetValue(cell) : 0;
+    const bool ofGrid = !this->Chessboard.IsEmpty() || (division > 0 && division <= lastOfGrid);
+    const CellCorners corners = cellCorners(this->Type);
+    if (ofGrid || corners.Begin == corners.End)
+    {
+      this->Shape = CellShape::Whole;
+      return this->Shape;
+    }
+    this->FindPlaces();
+    this->OrderPlaces();
+    return this->Shape;
+  }
+
+  /** The shape of the cell last passed to EmitTetrahedra or PutInOrder. */
+  CellShape GetShape() const { return this->Shape; }
+
+  /** A quick test of that cell, with rounded places: false may also mean that PutInOrder has to look. */
+  template <typename PlaceOfPoint>
+  bool IsSurelyWhole(PlaceOfPoint placeOfPoint) const
+  {
+    const CellCorners corners = cellCorners(this->Type);
+    const vtkIdType* ids = this->Points->GetPointer(0);
+    std::array<Vector3, 8> places;
+    for (vtkIdType i = 0; i < this->Points->GetNumberOfIds() && corners.Begin; ++i)
+    {
+      places[i] = placeOfPoint(ids[i]);
+    }
+    return !corners.Begin ||
+      isWellShaped(corners, [&](int vertex) -> const Vector3& { return places[vertex]; });
+  }
+
+  /** Off: all cells are known to be in order, from an earlier walk through the same data. */
+  void SetFindsShapes(bool finds) { this->FindsShapes = finds; }
+
+  /**
    * Calls emit({a, b, c, d}) with the point numbers of each tetrahedron of the cell last passed to IsHidden. Returns
    * false when it is no 3-D cell.
    */
@@ -114,6 +155,7 @@ public:
   bool EmitTetrahedra(vtkIdType cell, Emit emit)
   {
     this->VolumeSum = this->VolumeSizes = 0;
+    this->Shape = CellShape::Whole;
     if (!this->Chessboard.IsEmpty())
     {
       for (const auto& t : this->Chessboard.Tetrahedra(cell))
@@ -208,6 +250,7 @@ public:
   bool IsWarped() const { return this->GetOverlap() > 1e-3; }
 
 private:
+  static constexpr int lastOfGrid = 2; // divisions above it are those of ChessboardDivision.h
   using Place = std::tuple<double, double, double, vtkIdType>;
 
   // Coordinates, and where points coincide the number.
@@ -218,16 +261,52 @@ private:
     return { x[0], x[1], x[2], point };
   }
 
+  void FindPlaces()
+  {
+    const vtkIdType* ids = this->Points->GetPointer(0);
+    for (int i = 0; i < static_cast<int>(this->Points->GetNumberOfIds()); ++i)
+    {
+      this->Places[i] = this->PlaceOf(ids[i]);
+    }
+  }
+
+  void OrderPlaces()
+  {
+    std::array<Vector3, 12> positions;
+    const int size = static_cast<int>(this->Points->GetNumberOfIds());
+    for (int i = 0; i < size; ++i)
+    {
+      const Place& p = this->Places[i];
+      positions[i] = { { std::get<0>(p), std::get<1>(p), std::get<2>(p) } };
+    }
+    PointOrders::Order order;
+    this->Shape = findCellShape(
+      this->Type, [&](int vertex) -> const Vector3& { return positions[vertex]; }, order);
+    if (this->Shape == CellShape::Misnumbered)
+    {
+      const std::array<Place, 12> before = this->Places;
+      for (int i = 0; i < size; ++i)
+      {
+        this->Places[i] = before[order[i]];
+        this->Points->SetId(i, std::get<3>(this->Places[i]));
+      }
+    }
+  }
+
   // A hexahedron or voxel, as in the grid that it comes from.
   template <typename Emit>
   void EmitFromGrid(int division, Emit emit)
   {
     static constexpr std::array<int, 8> hexahedron{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
     const bool isVoxel = this->Type == VTK_VOXEL;
-    constexpr int mayBeWarped = 3;
-    if (division >= mayBeWarped)
+    const bool ofGrid = division <= lastOfGrid;
+    if (!ofGrid)
     {
-      this->KeepPlaces();
+      this->FindPlaces();
+      if (this->FindsShapes)
+      {
+        this->OrderPlaces();
+      }
     }
     const vtkIdType* ids = this->Points->GetPointer(0);
     for (const auto& corners : cellTetrahedra()[static_cast<std::size_t>((division - 1) & 1)])
@@ -236,7 +315,7 @@ private:
       std::transform(corners.begin(), corners.end(), t.begin(), [&](std::int64_t corner) {
         return isVoxel ? static_cast<int>(corner) : hexahedron[static_cast<std::size_t>(corner)];
       });
-      if (division >= mayBeWarped)
+      if (!ofGrid)
       {
         this->AddVolume(t);
       }
@@ -254,21 +333,16 @@ private:
     return both;
   }
 
-  void KeepPlaces()
-  {
-    for (vtkIdType i = 0; i < this->Points->GetNumberOfIds(); ++i)
-    {
-      this->Places[static_cast<std::size_t>(i)] = this->PlaceOf(this->Points->GetId(i));
-    }
-  }
-
   template <typename Emit>
   void EmitLinear(FaceList<int> faces, Emit emit)
   {
+    this->FindPlaces();
+    if (this->FindsShapes)
+    {
+      this->OrderPlaces();
+    }
     const vtkIdType* ids = this->Points->GetPointer(0);
-    const int size = static_cast<int>(this->Points->GetNumberOfIds());
-    this->KeepPlaces();
-    if (this->MergeCoincident(size))
+    if (this->MergeCoincident(static_cast<int>(this->Points->GetNumberOfIds())))
     {
       faces = this->WithoutRepeatedVertices(faces);
     }
@@ -422,6 +496,8 @@ private:
   std::array<Place, 12> Places; // of the cell's vertices
   std::array<int, 12> Representatives;
   double VolumeSum = 0, VolumeSizes = 0; // six times those of the tetrahedra, with and without sign
+  CellShape Shape = CellShape::Whole;
+  bool FindsShapes = true;
   std::vector<int> MergedFaces;
   PolyhedronSurface Surface;
   vtkNew<vtkIdList> Points;

@@ -340,6 +340,7 @@ private:
   std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
   void WarnAboutGeometry(vtkDataSet* input, const nephoscope::CellGeometry& geometry,
     const nephoscope::ScalarSelection& scalars, const nephoscope::ScalarSelection& opacity);
+  void WarnAboutFolds(vtkDataSet* input, const nephoscope::CellGeometry& geometry);
   void WarnAboutContours(const std::string& reason);
   void WarnAboutPolygons();
   std::string CheckSettings(vtkVolumeProperty* property);

@@ -19,6 +19,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <sstream>
 
 #if __has_include("vtkCellTypeUtilities.h") // VTK 9.6 deprecates the name lookup of vtkCellTypes
 #include "vtkCellTypeUtilities.h"
@@ -155,6 +156,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
       << " drawn wrong: so warped that the tetrahedra they are divided into overlap. Set CellInterpolation to Trilinear, and draw "
          "contours, layers, an opacity array and overlapping volumes without these cells.");
   }
+  this->WarnAboutFolds(input, geometry);
   // On several processes one may have copies of the others' cells alone.
   const bool isTold = geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells > 0;
   if (geometry.NumberOfTetrahedra() == 0 && input->GetNumberOfCells() > 0 && !isTold &&
@@ -165,6 +167,45 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
       ? "the only cell is hidden or has no volume."
       : "of " + std::to_string(count) + " cells, all are hidden or have no volume.";
     vtkWarningMacro(<< "Nothing is drawn: " << which);
+  }
+}
+
+// Cells that fold over themselves, as they are numbered or in any order of their points.
+void vtkCellCompositingMapper::WarnAboutFolds(vtkDataSet* input, const CellGeometry& geometry)
+{
+  const std::int64_t misnumbered = geometry.NumberOfMisnumberedCells;
+  const std::int64_t folded = geometry.NumberOfFoldedCells, count = misnumbered + folded;
+  std::ostringstream warning;
+  if (count > 0)
+  {
+    double bounds[6];
+    input->GetCellBounds(geometry.FirstFoldedCell, bounds);
+    const bool one = count == 1;
+    warning << count
+            << (one ? " cell folds over itself: cell "
+                    : " cells fold over themselves, the first is cell ")
+            << geometry.FirstFoldedCell << " near (" << 0.5 * (bounds[0] + bounds[1]) << ", "
+            << 0.5 * (bounds[2] + bounds[3]) << ", " << 0.5 * (bounds[4] + bounds[5]) << ").";
+    if (misnumbered > 0)
+    {
+      warning
+        << (folded > 0 ? " The points of " + std::to_string(misnumbered) + " are"
+               : one   ? " Its points are"
+                       : " Their points are")
+        << " numbered in a wrong order, and drawn in the right one. Correct the order where the mesh is made.";
+    }
+    if (folded > 0)
+    {
+      warning
+        << (misnumbered > 0 ? " The others are"
+               : one        ? " It is"
+                            : " They are")
+        << " drawn inexactly. Move the points where the mesh is made; vtkMeshQuality finds such cells by a scaled Jacobian below 0.";
+    }
+  }
+  if (this->Internals->FoldWarning.IsNew(warning.str())) // ranks get the same data again
+  {
+    vtkWarningMacro(<< warning.str());
   }
 }
 

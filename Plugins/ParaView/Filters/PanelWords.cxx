@@ -35,6 +35,7 @@ const Words remedies = {
   { "Call SetNumberOfContourValues or SetContourValue first", "Add Contour Values first" },
   { "Set CellInterpolation to Trilinear", "Set Cell Interpolation to Trilinear" },
   { "run vtkPolyhedronToTetrahedra first", "apply Polyhedron To Tetrahedra first" },
+  { "vtkMeshQuality finds", "Mesh Quality finds" },
   { "call SetOrigin and SetNormal of the vtkPlane", "set Origin and Normal" },
   { "use vtkTriangleFilter", "apply Triangulate" },
   { "use one of the values of MethodType", "choose one of the values of Method" },

@@ -74,7 +74,7 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
     this->Clear();
     this->Stopped = true;
   }
-  else if (form == Form::GridOrWarped && this->NumberOfWarpedCells > 0)
+  else if (form == Form::GridOrWarped && this->NumberOfWarpedCells + this->NumberOfFoldedCells > 0)
   {
     this->PreferHexahedra(data, scalars, opacity, progress.Part(0.9, 1));
   }
@@ -158,6 +158,7 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
 {
   std::atomic<std::int64_t> unsupported(0), invalid(0), nonConvex(0), warped(0), flat(0);
   std::atomic<int> unsupportedType(0);
+  ShapeCounts shapes;
   const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
   const bool done = forRanges(n, progress, [&](std::size_t begin, std::size_t end) {
     CellWalker walker(data, *this, scalars, opacity);
@@ -168,7 +169,12 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
         walker.Walk(cell, [&](const Tetrahedron& t) { isFlat(*this, t) ? ++flat : ++count; });
       invalid += outcome == CellOutcome::Invalid;
       nonConvex += outcome == CellOutcome::Decomposed && !walker.TetrahedraFillCell();
-      warped += outcome == CellOutcome::Decomposed && walker.IsWarped();
+      warped += outcome == CellOutcome::Decomposed && walker.IsWarped() &&
+        walker.GetShape() != CellShape::Folded;
+      if (outcome == CellOutcome::Decomposed)
+      {
+        shapes.Add(walker.GetShape(), cell);
+      }
       if (outcome == CellOutcome::Unsupported)
       {
         ++unsupported;
@@ -186,7 +192,15 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
   this->NumberOfNonConvexCells = nonConvex;
   this->NumberOfWarpedCells = warped;
   this->NumberOfFlatTetrahedra = flat;
+  this->CountShapes(shapes);
   return done;
+}
+
+void CellGeometry::CountShapes(const ShapeCounts& counts)
+{
+  this->NumberOfMisnumberedCells = counts.Misnumbered;
+  this->NumberOfFoldedCells = counts.Folded;
+  this->FirstFoldedCell = counts.First;
 }
 
 // first[cell]: where the cell's tetrahedra begin.
@@ -196,6 +210,7 @@ bool CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scala
   const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
   return forRanges(n, progress, [&](std::size_t begin, std::size_t end) {
     CellWalker walker(data, *this, scalars, opacity);
+    walker.SetFindsShapes(this->NumberOfMisnumberedCells > 0);
     for (vtkIdType cell = static_cast<vtkIdType>(begin); cell < static_cast<vtkIdType>(end); ++cell)
     {
       std::size_t next = static_cast<std::size_t>(first[static_cast<std::size_t>(cell)]);

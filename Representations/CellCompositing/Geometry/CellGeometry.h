@@ -99,7 +99,10 @@ public:
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
   int UnsupportedCellType = 0;               ///< the largest of their types
   std::int64_t NumberOfInvalidCells = 0;     ///< a coordinate or scalar is not finite
-  std::int64_t NumberOfWarpedCells = 0;      ///< not polyhedra, whose tetrahedra overlap
+  std::int64_t NumberOfWarpedCells = 0; ///< not polyhedra, not folded: their tetrahedra overlap
+  std::int64_t NumberOfMisnumberedCells = 0; ///< drawn with their points in a better order
+  std::int64_t NumberOfFoldedCells = 0;      ///< over themselves, in any order of their points
+  std::int64_t FirstFoldedCell = -1;         ///< of both kinds; -1: none
   std::int64_t NumberOfNonConvexCells =
     0; ///< polyhedra that their tetrahedra do not fill: drawn, but wrong
   std::int64_t NumberOfFlatTetrahedra = 0; ///< zero volume: nothing to draw, no error
@@ -136,6 +139,7 @@ private:
     const ScalarSelection& opacity, const Progress& progress);
   bool FillHexahedra(
     vtkDataSet* data, const std::vector<std::int32_t>& first, const Progress& progress);
+  void CountShapes(const class ShapeCounts& counts);
   bool FindSeam();
   bool FindLattice();
   void FindHiddenCells(

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <cstdint>
 
 namespace nephoscope
 {
@@ -20,6 +22,25 @@ enum class CellOutcome
   Skipped,
   Unsupported,
   Invalid
+};
+
+/** Counts cells that fold over themselves; several threads may add to it. */
+class ShapeCounts
+{
+public:
+  void Add(CellShape shape, vtkIdType cell)
+  {
+    if (shape != CellShape::Whole)
+    {
+      ++(shape == CellShape::Folded ? this->Folded : this->Misnumbered);
+      std::int64_t known = this->First;
+      while ((known < 0 || cell < known) && !this->First.compare_exchange_weak(known, cell))
+      {
+      }
+    }
+  }
+
+  std::atomic<std::int64_t> Misnumbered{ 0 }, Folded{ 0 }, First{ -1 };
 };
 
 /** Decides of each cell whether it can be drawn, and gives its tetrahedra. One object per thread. */
@@ -58,6 +79,17 @@ public:
       });
     return supported ? CellOutcome::Decomposed : CellOutcome::Unsupported;
   }
+
+  /** The shape of the cell that was looked at last. */
+  CellShape FindShape(vtkIdType cell)
+  {
+    const auto rounded = [this](vtkIdType id) { return this->Geometry.Position(std::int32_t(id)); };
+    return this->Source.IsSurelyWhole(rounded) ? CellShape::Whole : this->Source.PutInOrder(cell);
+  }
+  /** The shape of the cell that was walked last. */
+  CellShape GetShape() const { return this->Source.GetShape(); }
+  /** Off: all cells are known to be in order, from an earlier walk. */
+  void SetFindsShapes(bool finds) { this->Source.SetFindsShapes(finds); }
 
   /** Whether the tetrahedra of the cell that was walked last overlap by more than a thousandth of it. */
   bool IsWarped() const { return this->Source.IsWarped(); }

@@ -42,6 +42,7 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
   const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
   std::vector<std::int32_t> first(n + 1, 0); // first[cell]: where the cell goes
   std::atomic<std::int64_t> invalid(0), tetrahedra(0);
+  ShapeCounts shapes;
   const auto look = [&](std::size_t begin, std::size_t end) {
     CellWalker walker(data, *this, scalars, opacity);
     for (std::size_t cell = begin; cell < end; ++cell)
@@ -49,6 +50,10 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
       const CellOutcome outcome = walker.Look(static_cast<vtkIdType>(cell));
       invalid += outcome == CellOutcome::Invalid;
       first[cell + 1] = outcome == CellOutcome::Decomposed;
+      if (outcome == CellOutcome::Decomposed)
+      {
+        shapes.Add(walker.FindShape(static_cast<vtkIdType>(cell)), static_cast<vtkIdType>(cell));
+      }
       tetrahedra += first[cell + 1] *
         hexahedronForm(data->GetCellType(static_cast<vtkIdType>(cell))).Tetrahedra;
     }
@@ -59,6 +64,7 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
   }
   std::partial_sum(first.begin(), first.end(), first.begin());
   this->NumberOfInvalidCells = invalid;
+  this->CountShapes(shapes);
   this->TetrahedraOfHexahedra = tetrahedra;
   this->Hexahedra.resize(static_cast<std::size_t>(first.back()));
   this->Cells.resize(this->Hexahedra.size() == n ? 0 : this->Hexahedra.size());
@@ -71,7 +77,7 @@ bool CellGeometry::FillHexahedra(
   vtkDataSet* data, const std::vector<std::int32_t>& first, const Progress& progress)
 {
   return forRanges(first.size() - 1, progress, [&](std::size_t begin, std::size_t end) {
-    vtkNew<vtkIdList> points;
+    TetrahedronSource source(data);
     for (std::size_t cell = begin; cell < end; ++cell)
     {
       if (first[cell] == first[cell + 1])
@@ -80,11 +86,16 @@ bool CellGeometry::FillHexahedra(
       }
       const vtkIdType number = static_cast<vtkIdType>(cell);
       const HexahedronForm form = hexahedronForm(data->GetCellType(number));
-      data->GetCellPoints(number, points);
+      source.IsHidden(number); // reads its points
+      if (this->NumberOfMisnumberedCells > 0)
+      {
+        source.PutInOrder(number);
+      }
       const std::size_t at = static_cast<std::size_t>(first[cell]);
       for (std::size_t k = 0; k < 8; ++k)
       {
-        this->Hexahedra[at][k] = static_cast<std::int32_t>(points->GetId(form.Vertices[k]));
+        this->Hexahedra[at][k] =
+          static_cast<std::int32_t>(source.GetPoints()->GetId(form.Vertices[k]));
       }
       if (!this->Cells.empty())
       {
