@@ -133,7 +133,13 @@ bool CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars,
 {
   this->Divisions = chessboardDivision(data);
   std::vector<std::int64_t> first(static_cast<std::size_t>(data->GetNumberOfCells()) + 1, 0);
-  if (!this->CountOfCells(data, scalars, opacity, first, progress.Part(0, 0.5))) // PASS 1
+  bool counted = this->CountOfCells(data, scalars, opacity, first, progress.Part(0, 0.5)); // PASS 1
+  if (this->Divisions && this->NumberOfMisnumberedCells > 0)
+  {
+    this->Divisions = nullptr; // their edges are not those of the mesh
+    counted = this->CountOfCells(data, scalars, opacity, first, progress.Part(0, 0.5));
+  }
+  if (!counted)
   {
     return false;
   }
@@ -165,6 +171,7 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
     for (vtkIdType cell = static_cast<vtkIdType>(begin); cell < static_cast<vtkIdType>(end); ++cell)
     {
       std::int64_t& count = counts[static_cast<std::size_t>(cell) + 1];
+      count = 0;
       const CellOutcome outcome =
         walker.Walk(cell, [&](const Tetrahedron& t) { isFlat(*this, t) ? ++flat : ++count; });
       invalid += outcome == CellOutcome::Invalid;

@@ -103,7 +103,7 @@ class OfCells(LayerTestCase):
         ours, _, image = self.draw(data, constant(0.0), configure, dict(direction=(0, 0, 1), parallel=True))
         alpha = -math.expm1(-1.0)  # half of the length, extinction 2
         np.testing.assert_allclose(image[48, 48], [0, alpha, 0, alpha], atol=2e-6)
-        self.assertEqual(ours.GetNumberOfDrawnTetrahedra(), 12)
+        self.assertEqual(ours.GetNumberOfDrawnTetrahedra(), 10)
 
     def test_changes_are_drawn(self):
         data = meshes.with_field(meshes.Lattice(1).mesh("hexahedron"), lambda p: p[:, 2])

@@ -18,8 +18,9 @@ UNIFORM = Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 1), (1, 1)], unit_distance
 OPAQUE = 1 - np.exp(-1)
 
 
-def cube(noise, blocks=6):
-    """From -0.5 to 0.5, with inner points moved at random."""
+def cube(noise, blocks=6, alone=False):
+    """From -0.5 to 0.5, with inner points moved at random; not `alone`: and a tetrahedron out of sight, so that hexahedra are not divided
+    as those of a grid, which are less often inside out."""
     rng = np.random.default_rng(1)
 
     def moved(points):
@@ -30,6 +31,8 @@ def cube(noise, blocks=6):
 
     append = vtkAppendFilter()
     append.AddInputData(meshes.structured((blocks,) * 3, moved))
+    if not alone:
+        append.AddInputData(meshes.grid(np.array([(9, 0, 0), (10, 0, 0), (9, 1, 0), (9, 0, 1)], float), [(10, [0, 1, 2, 3])]))
     append.Update()
     data = append.GetOutput()
     meshes.add_array(data.GetPointData(), np.linspace(0, 1, data.GetNumberOfPoints()).astype(np.float32))
@@ -75,6 +78,16 @@ class TestWarpedCells(unittest.TestCase):
             self.assertIn("overlap", "".join(messages.warnings))
             self.assertIn("CellInterpolation to Trilinear", "".join(messages.warnings))
             self.assertGreater(errors.max(), 0.01)
+
+    def test_divided_as_a_grid(self):
+        """The five tetrahedra of these hexahedra are not inside out where the six of a division by coordinates are."""
+        for choose in (lambda ours: ours.SetCellInterpolationToTetrahedra(), with_contour):
+            drawn = Drawn(cube(0.025, alone=True))
+            choose(drawn.mapper)
+            with Messages() as messages:
+                errors = drawn.errors()
+            self.assertEqual(messages.all, [])
+            self.assertLess(errors.max(), 1e-4)
 
     def test_less_warped_cells(self):
         """Their faces are not plane, but no tetrahedron is inside out."""
