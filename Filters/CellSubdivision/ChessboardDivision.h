@@ -12,12 +12,63 @@
 
 #include "vtkNephoscopeFiltersCellSubdivisionModule.h" // for export macro
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 class vtkDataSet;
+class vtkUnstructuredGrid;
 
 namespace nephoscope
 {
+
+/** Parts that belong together: what is even in one is even or odd in the whole. */
+class VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ColoredParts
+{
+public:
+  std::int32_t Add();
+  /** The whole to which a part belongs, named by one of its parts, and 1 if the part is odd there. */
+  std::pair<std::int32_t, int> Find(std::int32_t part);
+  /** `odd`: what is even in one is odd in the other. False if the two belong together in the other way already. */
+  bool Join(std::int32_t a, std::int32_t b, int odd);
+  std::size_t Count() const { return this->Parents.size(); }
+
+private:
+  std::vector<std::int32_t> Parents;
+  std::vector<unsigned char> Odd; // against the parent
+};
+
+/** Which vertices of a mesh are odd. */
+class VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ChessboardColors
+{
+public:
+  explicit ChessboardColors(vtkUnstructuredGrid* grid);
+
+  /** False if it has other cells than hexahedra and voxels, or no such colours. */
+  bool Find();
+  /** Wholes share no edge. They are numbered in the order of their first points. */
+  std::size_t CountWholes() const { return this->FirstIsOdd.size(); }
+  /** The whole of a point, -1 for one that belongs to no cell, and 1 if it has another colour than the first point. */
+  std::pair<std::int32_t, int> ColorOf(vtkIdType point);
+  /** Cell by cell 3 where the first vertex is even, 4 where it is odd; `odd`: whether the first point of each whole is. */
+  vtkSmartPointer<vtkUnsignedCharArray> MakeDivisions(const std::vector<unsigned char>& odd);
+
+private:
+  bool Add(vtkIdType cell);
+  void JoinCoincident();
+  void NumberWholes();
+
+  vtkUnstructuredGrid* Grid;
+  std::vector<std::int32_t> PartOf; // of each point; -1: it belongs to no cell
+  std::vector<unsigned char> Odd;   // in its part
+  ColoredParts Parts;
+  std::vector<std::int32_t> Wholes; // numbers of those that parts name
+  std::vector<unsigned char> FirstIsOdd;
+};
 
 /**
  * For each cell 3 where its first vertex is even, 4 where it is odd, as divisionName in TetrahedronSource.h has it. The point with the

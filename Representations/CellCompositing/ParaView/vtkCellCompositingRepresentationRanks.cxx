@@ -4,6 +4,7 @@
 #include "vtkCellCompositingRepresentation.h"
 
 #include "DataBlocks.h"
+#include "RankDivisions.h"
 #include "RankRegions.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
@@ -49,6 +50,10 @@ void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
 void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
 {
   const vtkSmartPointer<vtkUnstructuredGrid> cells = nephoscope::visibleCells(this->Piece);
+  if (GetNumberOfRanks() > 1)
+  {
+    nephoscope::storeRankDivisions(cells);
+  }
   const auto mine = nephoscope::formOfWholeCells(cells);
   using Form = nephoscope::WholeCells;
   const bool canBeTrilinear = LeastOverRanks(mine == Form::Tetrahedra ? 0 : 1) == 1;

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** How several ranks divide unstructured hexahedra in the same way as one rank that has all of them. */
+#ifndef RankDivisions_h
+#define RankDivisions_h
+
+class vtkUnstructuredGrid;
+
+namespace nephoscope
+{
+
+/**
+ * Stores the division of the cells of ChessboardDivision.h, 0 where the cells of all ranks together have none (divisionName in TetrahedronSource.h).
+ * Cells that have the array keep it. All ranks must call it. The points of the surfaces of all pieces are exchanged: 32 bytes each.
+ */
+void storeRankDivisions(vtkUnstructuredGrid* cells);
+
+} // namespace nephoscope
+
+#endif
