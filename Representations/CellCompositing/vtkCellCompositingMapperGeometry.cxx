@@ -38,7 +38,9 @@ CellGeometry::Form formOfCells(bool byRays, bool crossesWholeCells, int interpol
 // Nothing that is asked for needs tetrahedra.
 bool vtkCellCompositingMapper::MayCrossWholeCells() const
 {
-  return this->UsesRays() && !this->Internals->Mixed && !this->HasSurfacesOrLayers();
+  const bool ofOtherArray = this->Internals->Contoured.Array != nullptr;
+  return this->UsesRays() && !this->Internals->Mixed && !this->HasPolygonsOrLayers() &&
+    (this->GetNumberOfContourValues() == 0 || !ofOtherArray);
 }
 
 // The field of cells that rays cross as a whole.

@@ -367,7 +367,8 @@ void CellScene::FindVisibleHexahedra()
                                             : geometry.CellScalars[i];
       });
       const auto range = std::minmax_element(s.begin(), s.end());
-      count += !this->Opacities[0].IsTransparent(*range.first, *range.second);
+      count += !this->Opacities[0].IsTransparent(*range.first, *range.second) ||
+        this->Contours.DrawsBetween(*range.first, *range.second);
     }
     visible += count;
   });

@@ -109,7 +109,7 @@ std::string RayCells::OwnConstants() const
 bool RayCells::DrawsHexahedra(const CellDrawing& drawing) const
 {
   return this->HasHexahedra ||
-    (drawing.Options.Trilinear && !this->Grid.IsEmpty() && !drawing.Contours.IsUsed() &&
+    (drawing.Options.Trilinear && !this->Grid.IsEmpty() && !drawing.Contours.HasScalars() &&
       !drawing.Contours.HasPolygons() && !drawing.Buffers.HasLayers() &&
       !drawing.Buffers.HasOpacityScalars());
 }

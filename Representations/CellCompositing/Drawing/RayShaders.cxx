@@ -6,9 +6,11 @@
 
 #include "CameraLightShader.h"
 #include "ChessboardTopologyShader.h"
+#include "CubicContoursShader.h"
 #include "CubicPiecesShader.h"
 #include "GridCellsShader.h"
 #include "GridHexahedraShader.h"
+#include "HexahedronContoursShader.h"
 #include "HexahedronWalkShader.h"
 #include "ListedHexahedraShader.h"
 #include "NeighborTopologyShader.h"
@@ -57,6 +59,7 @@ std::string hexahedraShader(bool structured)
   return withShaderParts(RayHexahedraFragment,
     { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader },
       { "GridCells", GridCellsShader }, { "HexahedronWalk", HexahedronWalkShader },
+      { "HexahedronContours", HexahedronContoursShader }, { "CubicContours", CubicContoursShader },
       { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
       { "PixelRay", PixelRayShader }, { "RayEntry", RayEntryShader } });
@@ -66,8 +69,9 @@ std::string voxelsShader()
 {
   return withShaderParts(RayVoxelsFragment,
     { { "VoxelWalk", VoxelWalkShader }, { "VoxelContours", VoxelContoursShader },
-      { "CubicPieces", CubicPiecesShader }, { "RayRange", RayRangeShader },
-      { "VisibleDepths", VisibleDepthsShader }, { "RaySegments", RaySegmentsShader } });
+      { "CubicContours", CubicContoursShader }, { "CubicPieces", CubicPiecesShader },
+      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
+      { "RaySegments", RaySegmentsShader } });
 }
 
 std::string mediumShader(bool structured)

@@ -16,7 +16,57 @@ namespace nephoscope
 {
 namespace
 {
-/** The corners of tetrahedra that lie at each place: corner k of tetrahedron t is 4 t + k. */
+/** The cells of a geometry, tetrahedra or hexahedra, by their corners. Each has edges to three others. */
+class CornersOfCells
+{
+public:
+  explicit CornersOfCells(const CellGeometry& geometry)
+    : Geometry(geometry)
+    , OfHexahedra(!geometry.Hexahedra.empty())
+  {
+  }
+
+  std::int64_t CountCells() const
+  {
+    return this->OfHexahedra ? static_cast<std::int64_t>(this->Geometry.Hexahedra.size())
+                             : this->Geometry.CountTetrahedra();
+  }
+  std::size_t PerCell() const { return this->OfHexahedra ? 8 : 4; }
+  bool IsHidden(std::int64_t cell) const
+  {
+    return !this->OfHexahedra && this->Geometry.IsHidden(cell);
+  }
+
+  std::array<std::int64_t, 8> Points(std::int64_t cell) const
+  {
+    std::array<std::int64_t, 8> points{};
+    if (this->OfHexahedra)
+    {
+      const Hexahedron& vertices = this->Geometry.Hexahedra[static_cast<std::size_t>(cell)];
+      std::copy(vertices.begin(), vertices.end(), points.begin());
+    }
+    else
+    {
+      const std::array<std::int64_t, 4> vertices = this->Geometry.PointNumbers(cell);
+      std::copy(vertices.begin(), vertices.end(), points.begin());
+    }
+    return points;
+  }
+
+  /** The corners at the other ends of the edges of one. */
+  std::array<std::size_t, 3> Neighbors(std::size_t corner) const
+  {
+    return this->OfHexahedra
+      ? std::array<std::size_t, 3>{ { corner ^ 1, corner ^ 2, corner ^ 4 } }
+      : std::array<std::size_t, 3>{ { (corner + 1) % 4, (corner + 2) % 4, (corner + 3) % 4 } };
+  }
+
+private:
+  const CellGeometry& Geometry;
+  bool OfHexahedra;
+};
+
+/** The corners of cells that lie at each place: corner k of cell c is c times the corners per cell, plus k. */
 struct Corners
 {
   std::vector<std::int32_t> Place; // of each point
@@ -62,24 +112,26 @@ Corners findCorners(const CellGeometry& geometry)
   const auto placeOf = [&](std::int64_t point) {
     return static_cast<std::size_t>(corners.Place[static_cast<std::size_t>(point)]);
   };
-  const std::int64_t count = geometry.CountTetrahedra();
-  for (std::int64_t t = 0; t < count; ++t)
+  const CornersOfCells cells(geometry);
+  const std::int64_t count = cells.CountCells();
+  for (std::int64_t cell = 0; cell < count; ++cell)
   {
-    for (const std::int64_t point : geometry.PointNumbers(t))
+    const auto points = cells.Points(cell);
+    for (std::size_t k = 0; k < cells.PerCell(); ++k)
     {
-      corners.First[placeOf(point) + 1] += !geometry.IsHidden(t);
+      corners.First[placeOf(points[k]) + 1] += !cells.IsHidden(cell);
     }
   }
   std::partial_sum(corners.First.begin(), corners.First.end(), corners.First.begin());
   corners.List.resize(static_cast<std::size_t>(corners.First.back()));
   std::vector<std::int64_t> next(corners.First.begin(), corners.First.end() - 1);
-  for (std::int64_t t = 0; t < count; ++t)
+  for (std::int64_t cell = 0; cell < count; ++cell)
   {
-    const std::array<std::int64_t, 4> points = geometry.PointNumbers(t);
-    for (std::size_t k = 0; k < 4 && !geometry.IsHidden(t); ++k)
+    const auto points = cells.Points(cell);
+    for (std::size_t k = 0; k < cells.PerCell() && !cells.IsHidden(cell); ++k)
     {
       corners.List[static_cast<std::size_t>(next[placeOf(points[k])]++)] =
-        4 * t + static_cast<std::int64_t>(k);
+        cell * static_cast<std::int64_t>(cells.PerCell()) + static_cast<std::int64_t>(k);
     }
   }
   return corners;
@@ -131,14 +183,18 @@ struct NormalEquations
 Vector3 gradientAt(const CellGeometry& geometry, const std::vector<float>& scalars,
   const Corners& corners, std::size_t place)
 {
+  const CornersOfCells cells(geometry);
+  const auto perCell = static_cast<std::int64_t>(cells.PerCell());
   NormalEquations equations;
   for (std::int64_t i = corners.First[place]; i < corners.First[place + 1]; ++i)
   {
     const std::int64_t corner = corners.List[static_cast<std::size_t>(i)];
-    const std::array<std::int64_t, 4> t = geometry.PointNumbers(corner / 4);
-    const std::int64_t center = t[static_cast<std::size_t>(corner % 4)];
-    for (const std::int64_t other : t)
+    const auto points = cells.Points(corner / perCell);
+    const auto number = static_cast<std::size_t>(corner % perCell);
+    const std::int64_t center = points[number];
+    for (const std::size_t neighbor : cells.Neighbors(number))
     {
+      const std::int64_t other = points[neighbor];
       const Vector3 d =
         difference(geometry.Position(std::int32_t(other)), geometry.Position(std::int32_t(center)));
       const double change = double(scalars[static_cast<std::size_t>(other)]) -

@@ -67,7 +67,9 @@ def through_cube(view, start):
 class WholeNumbers(RayTestCase):
     """The field is z: between where a ray enters and leaves, it crosses as many surfaces as there are values."""
     MESHES = {"image": lambda: meshes.image((4, 4, 4), (0.25, 0.25, 0.25)), "tetra": lambda: meshes.Lattice(4).mesh("tetra"),
-              "hexahedron": lambda: meshes.Lattice(4).mesh("hexahedron"), "odd image": lambda: meshes.image((5, 3, 4), (1 / 5, 1 / 3, 1 / 4))}
+              "hexahedron": lambda: meshes.Lattice(4).mesh("hexahedron"), "odd image": lambda: meshes.image((5, 3, 4), (1 / 5, 1 / 3, 1 / 4)),
+              "trilinear grid": lambda: meshes.rectilinear([np.array((0, 0.2, 0.5, 0.8, 1)), np.linspace(0, 1, 5), np.linspace(0, 1, 5)]),
+              "trilinear hexahedra": lambda: meshes.Lattice(4).mesh("hexahedron"), "trilinear wedges": lambda: meshes.Lattice(4).mesh("wedge")}
     DIRECTIONS = ((0, 0, 1), (0, 0, -1), (1, 0, 0), (0, -1, 0), (1, 1, 0), (0, 1, 1), (1, 1, 1), (1, -2, 3), (0.3, 0.2, -1))
 
     def check(self, name, values, inside):
@@ -85,8 +87,12 @@ class WholeNumbers(RayTestCase):
         for name, make in self.MESHES.items():
             data = meshes.with_field(make(), lambda p: p[:, 2])
             for values in (PLANES, (0.1, 0.3, 0.6, 0.9)):
-                self.start(data, values)
+                self.start(data, values, configure=self.interpolation(name))
                 yield name, values
+
+    @staticmethod
+    def interpolation(name):
+        return (lambda ours: ours.SetCellInterpolationToTrilinear()) if name.startswith("trilinear") else None
 
     def test_from_outside(self):
         seen = 0
@@ -113,7 +119,7 @@ class WholeNumbers(RayTestCase):
         for name, make in self.MESHES.items():
             for function, value, count in ((lambda p: np.clip(p[:, 2], 0.25, 0.5), 0.5, 1), (lambda p: np.clip(p[:, 2], 0.25, 0.5), 0.25, 0),
                                            (lambda p: np.abs(p[:, 2] - 0.5), 0, 0), (lambda p: -np.abs(p[:, 2] - 0.5), 0, 2)):
-                self.start(meshes.with_field(make(), function), (value,))
+                self.start(meshes.with_field(make(), function), (value,), configure=self.interpolation(name))
                 for direction in ((0.1, 0.07, 1), (0, 0, 1), (0, 0, -1)):
                     self.scene.look_at((0, 1, 0, 1, 0, 1), direction, parallel=True)
                     middle = self.layers()[21:27, 21:27]

@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""With nothing set, contour surfaces of evenly spaced grids are those of the trilinear field: as dense samples of it find them."""
+"""Contour surfaces of evenly spaced grids, with nothing set, and of trilinear hexahedra are those of the field: as dense samples of it find them."""
+import itertools
 import unittest
 
 import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import float_image
 from nephoscope_testing.transfer import Transfer
-from TestTrilinearCells import COLOURS, RAMP, STEP, VIEWS, dense, smooth, steep, trilinear_field, with_values
+from TestTrilinearCells import (COLOURS, RAMP, STEP, VIEWS, bent, dense, rectilinear, smooth, steep, tapered, trilinear_field, unstructured,
+                                with_values)
 from TestTrilinearVoxels import ByDefault, grid, other
 
 CLEAR = Transfer(COLOURS, [(0, 0), (1, 0)])
@@ -49,6 +51,21 @@ class TrilinearContours(unittest.TestCase):
                 self.assertGreater(seen, 500)
                 self.assertEqual(drawn.window.messages.all, [])
 
+    def test_hexahedra(self):
+        """With *CellInterpolation* Trilinear; the same however they are stored."""
+        for name, data in (("rectilinear", rectilinear()), ("tapered", tapered()), ("bent", bent())):
+            with_values(data, smooth)
+            field = trilinear_field(data) if name == "rectilinear" else None
+            for view in ("far", "diagonal", "inside"):
+                expected = None
+                for stored in (data, unstructured(data)):
+                    drawn = self.drawn(stored, RAMP, interpolation="Trilinear")
+                    image = drawn.picture(VIEWS[view])
+                    if expected is None:
+                        expected = dense(data, drawn.scene.view(), RAMP, field, 2000, surfaces=SURFACES)
+                    self.check(image, expected, f"{name}, {stored.GetClassName()}, {view}", 4 if name == "bent" else 3)
+                    self.assertEqual(drawn.window.messages.all, [])
+
     def test_another_array(self):
         for association in ("point", "cell"):
             data = with_values(grid(smooth), smooth)
@@ -73,8 +90,8 @@ class TrilinearContours(unittest.TestCase):
     def test_normals(self):
         """The headlight on a sphere, whose normals are known: smooth ones, and those of the trilinear field of each cell."""
         data = grid(lambda p: np.linalg.norm(p, axis=1), 24)
-        for smooth_normals, tolerance in ((True, 0.02), (False, 0.06)):
-            drawn = ByDefault(data, CLEAR)
+        for (smooth_normals, tolerance), cells in itertools.product(((True, 0.02), (False, 0.06)), (data, unstructured(data))):
+            drawn = ByDefault(cells, CLEAR, interpolation="Trilinear")
             add_surfaces(drawn.mapper, ((0.35, 1.0, (1, 1, 1)),), lit=True)
             drawn.mapper.SetSmoothContourNormals(smooth_normals)
             drawn.volume.GetProperty().SetAmbient(0)

@@ -39,3 +39,18 @@ float countPieces(vec4 cubic)
 {
   return clamp(ceil(sqrt(bendOfCubic(cubic) / cubicTolerance)), 1.0, mostPieces);
 }
+
+// The trilinear field along a ray through a cell, and the scalars between which it lies in the cell, and along the ray.
+struct CubicField
+{
+  vec4 cubic;
+  vec2 range;
+  vec2 rangeOfRay;
+};
+
+const CubicField noField = CubicField(vec4(0.0), vec2(0.0), vec2(0.0));
+
+float fieldAt(CubicField field, float t)
+{
+  return clamp(cubicAt(field.cubic, t), field.range.x, field.range.y);
+}

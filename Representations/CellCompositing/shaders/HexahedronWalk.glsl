@@ -168,6 +168,16 @@ void keepCell()
   cellH = walkH;
 }
 
+// At a place in the cell, what a step along AB, AD and AE changes.
+mat3x4 changesInCell(vec3 p)
+{
+  vec4 ae = mix(cellA, cellE, p.z), bf = mix(cellB, cellF, p.z), cg = mix(cellC, cellG, p.z), dh = mix(cellD, cellH, p.z);
+  vec4 right = mix(bf - ae, cg - dh, p.y);
+  vec4 up = mix(dh, cg, p.x) - mix(ae, bf, p.x);
+  vec4 on = mix(mix(cellE - cellA, cellF - cellB, p.x), mix(cellH - cellD, cellG - cellC, p.x), p.y);
+  return mat3x4(right, up, on);
+}
+
 // Distance along the ray, and scalar, of the point of the ray next to a place in the cell: where edges are not parallel, a ray is
 // no straight line between the places where it enters and leaves.
 vec2 besidePlace(vec3 p)

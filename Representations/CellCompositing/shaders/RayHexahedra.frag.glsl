@@ -20,6 +20,7 @@ uniform int maximumSteps;
 uniform int startsAtEye; // rays start in the cell that holds the eye, not at a boundary face
 uniform int eyeHexahedron[4]; // that cell
 uniform vec3 eyeMC;
+uniform vec4 eyeVC;         // (position, 1) or (direction towards the eye, 0)
 uniform vec2 clearRange; // scalars between which nothing is seen
 
 // Copies: RayCells.frag.glsl says why.
@@ -40,6 +41,7 @@ const int exitDA = 4;
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::TransferFunction
 //NEPHOSCOPE::RaySegments
+//NEPHOSCOPE::ContourSurfaces
 //NEPHOSCOPE::RayRange
 //NEPHOSCOPE::CubicPieces
 //NEPHOSCOPE::Topology
@@ -62,6 +64,7 @@ vec3 placeSeen(int point)
 //NEPHOSCOPE::PixelRay
 //NEPHOSCOPE::RayEntry
 //NEPHOSCOPE::HexahedronWalk
+//NEPHOSCOPE::HexahedronContours
 
 vec2 scalarsOfCell = vec2(0.0); // lowest and highest
 
@@ -83,7 +86,8 @@ bool isClear()
       greater(greater(greater(walkA.w, walkB.w), greater(walkC.w, walkD.w)), greater(greater(walkE.w, walkF.w), greater(walkG.w, walkH.w)));
     scalarsOfCell = vec2(low, high);
   }
-  return scalarsOfCell.x >= clear.x && scalarsOfCell.y < clear.y;
+  bool inLayer = !contoursInCells || (scalarsOfCell.x >= layerReach.x && scalarsOfCell.y < layerReach.y);
+  return inLayer && scalarsOfCell.x >= clear.x && scalarsOfCell.y < clear.y;
 }
 
 // Adds what lies between two distances, as far as it is seen: between the near plane and the opaque geometry.
@@ -105,7 +109,7 @@ bool ringIsKnown = false;
 
 // The pieces of the cell that are still to be added, and where they begin: distance, scalar.
 vec4 cellDistances = vec4(0.0), scalarsInCell = vec4(0.0);
-float piece = 1.0, pieces = 0.0;
+float pieces = 1.0;
 vec2 pieceFront = vec2(0.0);
 
 // Crosses the cell; returns through which face the ray leaves it.
@@ -119,11 +123,14 @@ int crossCell()
   }
   vec3 entered = vec3(ringPlace, 0.0);
   pieceFront = ringPass;
+  vec2 ringBefore = rangeOfRing();
   keepCell();
   int exit = leaveCell();
   ringPlace = placeInRing();
   ringPass = passRing(ringPlace);
-  piece = pieces = 1.0;
+  pieces = 1.0;
+  inCell = true;
+  partOfCell = 0.0;
   if (useCellScalars)
   {
     pieceFront.y = scalarsOfCell.x;
@@ -132,8 +139,18 @@ int crossCell()
   vec3 left = placeInCell(ringPlace, exit);
   vec2 first = besidePlace(mix(entered, left, 1.0 / 3.0)), second = besidePlace(mix(entered, left, 2.0 / 3.0));
   cellDistances = cubicThrough(vec4(pieceFront.x, first.x, second.x, ringPass.x));
-  scalarsInCell = cubicThrough(vec4(pieceFront.y, first.y, second.y, ringPass.y));
+  vec4 values = vec4(pieceFront.y, first.y, second.y, ringPass.y);
+  scalarsInCell = cubicThrough(values);
   pieces = countPieces(scalarsInCell);
+  if (contoursInCells)
+  {
+    float low = lesser(lesser(values.x, values.y), lesser(values.z, values.w)), high = greater(greater(values.x, values.y), greater(values.z, values.w));
+    float beside = bendOfCubic(scalarsInCell) / 9.0; // of the chords between the values
+    contourField = CubicField(scalarsInCell, scalarsOfCell, vec2(low - beside, high + beside));
+    placeEntered = entered;
+    placeLeft = left;
+    findLayersOfCell(ringBefore, values.x, values.w);
+  }
   return exit;
 }
 
@@ -144,15 +161,18 @@ void fitHazeToCell(vec2 range)
   hazeIsFresh = true;
 }
 
-// Adds the pieces of the cell that are left. False: the haze is to be fitted anew first.
+int contourAhead = -1; // to be passed before the next piece
+
+// Adds the pieces of the cell that are left. False: the haze is to be fitted anew first, or a surface to be added.
 bool addPieces(vec2 range)
 {
-  while (piece <= pieces)
+  while (inCell)
   {
-    float t = piece / pieces;
+    float to = endOfPiece(pieces);
+    int contour = contoursInCells ? contourInPiece(to) : -1;
     vec2 back = useCellScalars ? vec2(ringPass.x, scalarsOfCell.x)
-      : piece == pieces ? ringPass
-                        : vec2(cubicAt(cellDistances, t), clamp(cubicAt(scalarsInCell, t), scalarsOfCell.x, scalarsOfCell.y));
+      : to >= 1.0 ? ringPass
+                  : vec2(cubicAt(cellDistances, to), clamp(cubicAt(scalarsInCell, to), scalarsOfCell.x, scalarsOfCell.y));
     float end = min(back.x, range.y);
     bool hazeEnds = useHaze && end > hazeTo && end > max(pieceFront.x, range.x);
     if (hazeEnds && !hazeIsFresh)
@@ -162,15 +182,20 @@ bool addPieces(vec2 range)
     hazeIsFresh = false;
     if (hazeEnds) // the piece is longer
     {
-      back = mix(pieceFront, back, (hazeTo - pieceFront.x) / (back.x - pieceFront.x));
+      float part = (hazeTo - pieceFront.x) / (back.x - pieceFront.x);
+      back = mix(pieceFront, back, part);
+      to = mix(partOfCell, to, part);
+      contour = -1;
     }
     addPart(pieceFront, back, range);
     pieceFront = back;
-    if (hazeEnds)
+    partOfCell = to;
+    contourAhead = contour;
+    inCell = hazeEnds || contour >= 0 || to < 1.0;
+    if (hazeEnds || contour >= 0)
     {
       return false;
     }
-    piece += 1.0;
   }
   return true;
 }
@@ -184,6 +209,7 @@ bool goOn(int exit, vec2 range)
   }
   if (!takesRingAlong)
   {
+    layerIsKnown = false; // the scalar may jump
     ringIsKnown = false;
     walkIsLost = !seeRing();
   }
@@ -203,6 +229,7 @@ int findCell(vec2 range, inout bool inside)
       return crossCell();
     }
     ringIsKnown = false;
+    layerIsKnown = false;
     inside = goOn(leaveCell(), range);
     if (!inside)
     {
@@ -215,7 +242,7 @@ int findCell(vec2 range, inout bool inside)
 void walk(vec2 range)
 {
   int exit = -1; // out of a cell whose pieces are being added
-  const int cellsAtOnce = useHaze ? 16 : 1;
+  const int cellsAtOnce = useHaze ? 16 : contoursInCells ? 32 : 1;
   bool inside = true;
   for (int i = 0; i < maximumSteps && inside; ++i)
   {
@@ -243,6 +270,12 @@ void walk(vec2 range)
         break;
       }
     }
+    if (contoursInCells && contourAhead >= 0)
+    {
+      addSurface(contourAhead, pieceFront, range);
+      contourAhead = -1;
+      inside = inside && !isOpaque();
+    }
   }
 }
 
@@ -253,7 +286,15 @@ bool passesWellInside(ivec3 triangle)
   return wayInside(a.xy, b.xy, c.xy, vec3(1.0 / 3.0)) == 0.0;
 }
 
-// The nearer of the faces that the ray passes.
+// The cell lies ahead of the ring, which the ray sees counterclockwise.
+bool cellIsAhead()
+{
+  seeAhead();
+  vec3 normal = cross(walkC.xyz - walkA.xyz, walkD.xyz - walkB.xyz);
+  return dot(normal, walkE.xyz + walkF.xyz + walkG.xyz + walkH.xyz - walkA.xyz - walkB.xyz - walkC.xyz - walkD.xyz) > 0.0;
+}
+
+// The face through which the ray enters the cell. Its distance does not tell: an eye on a vertex has all of them at the same.
 bool startInEyeCell()
 {
   ivec4 place = ivec4(eyeHexahedron[0], eyeHexahedron[1], eyeHexahedron[2], eyeHexahedron[3]);
@@ -263,7 +304,7 @@ bool startInEyeCell()
   {
     enterFaceOfCell(place, number);
     bool passes = seeRing();
-    float distance = passRing(placeInRing()).x;
+    float distance = passRing(placeInRing()).x + (cellIsAhead() ? 0.0 : 1.0e30);
     nearest = passes && distance < least ? number : nearest;
     least = passes ? min(least, distance) : least;
   }
@@ -289,6 +330,8 @@ void main()
     startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
     startHaze();
     ringIsKnown = false;
+    layerIsKnown = false;
+    layerReach = vec2(0.0); // nothing is clear
     if (startsAtEye != 0)
     {
       walkIsLost = !startInEyeCell();

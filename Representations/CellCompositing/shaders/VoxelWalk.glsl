@@ -97,14 +97,6 @@ void findPieces(vec2 ways, bool isKnown, float front)
   places = vec4(ways.x, mix(ways.xx, ways.yy, bend), ways.y);
 }
 
-// The trilinear field along a ray through a cell, and the scalars between which it lies in the cell, and along the ray.
-struct CubicField
-{
-  vec4 cubic;
-  vec2 range;
-  vec2 rangeOfRay;
-};
-
 // The least and the greatest of the scalars of two squares.
 vec2 rangeOf(vec4 a, vec4 b)
 {
@@ -134,13 +126,7 @@ CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
   return CubicField(cubic, rangeOf(a, b), vec2(lowestOf(values) - beside, beside - lowestOf(-values)));
 }
 
-float fieldAt(CubicField field, float t)
-{
-  return clamp(cubicAt(field.cubic, t), field.range.x, field.range.y);
-}
-
 // In pieces as RayHexahedra.frag.glsl has them; three of them if there are more.
-const CubicField noField = CubicField(vec4(0.0), vec2(0.0), vec2(0.0));
 CubicField colorField = noField, opacityField = noField;
 float numberOfPieces = 3.0;
 vec2 waysInCell = vec2(0.0);
