@@ -37,6 +37,10 @@ vtkDataArray* visibleSmoke(vtkDataSet* cells)
   {
     puffs = cells->GetPointData()->GetArray("SmokeDensity");
   }
+  if (density && !puffs)
+  {
+    puffs = cells->GetPointData()->GetArray("SmoothDensity");
+  }
   return puffs ? puffs : density;
 }
 

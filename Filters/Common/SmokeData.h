@@ -16,7 +16,7 @@ namespace nephoscope
 /** The density of the cells if they are smoke (their arrays say when they left the polygon); otherwise null. */
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkDataArray* smokeDensity(vtkDataSet* cells);
 
-/** The opacity array of smoke: its puffs on cells or points, as written by vtkSmokePuffs, otherwise its density. Null if no smoke. */
+/** The opacity array of smoke: its puffs on cells or points, as written by vtkSmokePuffs, otherwise its density at the points, as written by vtkFlowVolume, or on the cells. Null if no smoke. */
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkDataArray* visibleSmoke(vtkDataSet* cells);
 
 /** Writes the density at the generating polygon to the field data, where initialSmokeDensity reads it. */

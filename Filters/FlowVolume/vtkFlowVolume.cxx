@@ -349,13 +349,14 @@ bool vtkFlowVolume::Report(double share)
   return this->Exchange().AllTrue(!this->CheckAbort());
 }
 
-void vtkFlowVolume::WriteOutput(const nephoscope::SmokeMesh& mesh,
+void vtkFlowVolume::WriteOutput(nephoscope::SmokeMesh& mesh,
   const nephoscope::ArraySampler& sampleArrays, vtkUnstructuredGrid* output)
 {
   if (!this->Report(nephoscope::buildingShare))
   {
     return;
   }
+  nephoscope::AverageDensities(mesh);
   nephoscope::SmokeMesh share;
   const nephoscope::SmokeMesh& written = this->Exchange().ShareOf(mesh, share);
   if (nephoscope::PutSmoke(written, this->InitialDensity, sampleArrays, output))

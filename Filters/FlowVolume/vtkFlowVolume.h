@@ -36,6 +36,7 @@
  *   the emitted mass.
  * Point arrays written, besides those of the input:
  * - Age, double, s, at the point. It replaces an input array of that name, with a warning.
+ * - SmoothDensity, double: the mean Density of the cells at the point, by their volume, for drawing. Interpolated linearly it has the same mass.
  * Field data are passed on. Unsteady smoke has one more field array, of one double: InitialDensity, to which drawing refers the
  * density, so that the pictures of a film are comparable.
  *
@@ -356,7 +357,7 @@ private:
 
   bool Report(double share);
   void WriteMasses(vtkUnstructuredGrid* output) const;
-  void WriteOutput(const nephoscope::SmokeMesh& mesh,
+  void WriteOutput(nephoscope::SmokeMesh& mesh,
     const std::function<void(const nephoscope::SmokeMesh&, vtkPointData*)>& sampleArrays,
     vtkUnstructuredGrid* output);
 

@@ -55,7 +55,7 @@ void vtkFlowVolume::MakeSteadyVolume(
     this->TriangulatePolygon(*field, *field->Field, anyTime, given, edge, remade);
     return remade;
   };
-  const auto whole =
+  auto whole =
     nephoscope::BuildWholeVolume(*field->Field, polygon, settings, anyTime, this->Duration == 0.0,
       coarser, [this](double share) { return this->Report(nephoscope::buildingShare * share); });
   this->ReportSteady(whole);

@@ -344,7 +344,7 @@ void vtkFlowVolume::WriteStreak(vtkUnstructuredGrid* output)
   {
     return; // no smoke yet
   }
-  const auto mesh = this->StreakMeshAt(requested);
+  auto mesh = this->StreakMeshAt(requested);
   if (mesh.Report.EmittedMass == 0.0)
   {
     vtkWarningMacro(

@@ -49,6 +49,7 @@ inline SmokeMesh SliceOfMesh(const SmokeMesh& mesh, int part, int parts)
       ids[p] = static_cast<PointId>(slice.Points.size());
       slice.Points.push_back(mesh.Points[p]);
       slice.PointAges.push_back(mesh.PointAges[p]);
+      slice.PointDensities.push_back(mesh.PointDensities[p]);
       slice.Hints.push_back(mesh.Hints[p]);
     }
   }

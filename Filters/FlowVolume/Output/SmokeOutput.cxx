@@ -66,15 +66,21 @@ vtkSmartPointer<vtkCellArray> MakeCells(const std::vector<TetrahedronPoints>& te
   return cells;
 }
 
+vtkSmartPointer<vtkDoubleArray> MakeDensities(
+  const char* name, const std::vector<double>& relative, double initialDensity)
+{
+  auto densities = MakeArray<vtkDoubleArray>(name, relative);
+  double* values = densities->GetPointer(0);
+  std::transform(values, values + relative.size(), values,
+    [initialDensity](double density) { return initialDensity * density; });
+  return densities;
+}
+
 void PutCellArrays(const SmokeMesh& mesh, double initialDensity, vtkCellData* output)
 {
   output->AddArray(MakeArray<vtkIntArray>("EmissionStep", mesh.EmissionSteps));
   output->AddArray(MakeArray<vtkDoubleArray>("Age", mesh.Ages));
-  auto densities = MakeArray<vtkDoubleArray>("Density", mesh.Densities);
-  double* values = densities->GetPointer(0);
-  std::transform(values, values + mesh.Densities.size(), values,
-    [initialDensity](double density) { return initialDensity * density; });
-  output->AddArray(densities);
+  output->AddArray(MakeDensities("Density", mesh.Densities, initialDensity));
 }
 }
 
@@ -90,6 +96,7 @@ bool PutSmoke(const SmokeMesh& mesh, double initialDensity, const ArraySampler& 
   pointData->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   const bool replaced = pointData->HasArray("Age");
   pointData->AddArray(MakeArray<vtkDoubleArray>("Age", mesh.PointAges));
+  pointData->AddArray(MakeDensities("SmoothDensity", mesh.PointDensities, initialDensity));
   return replaced;
 }
 }

@@ -24,6 +24,10 @@ void CompactPoints(SmokeMesh& mesh)
       places[i] = static_cast<PointId>(count);
       mesh.Points[count] = mesh.Points[i];
       mesh.PointAges[count] = mesh.PointAges[i];
+      if (!mesh.Ends.empty())
+      {
+        mesh.Ends[count] = mesh.Ends[i];
+      }
       mesh.Hints[count++] = mesh.Hints[i];
     }
   }
@@ -33,6 +37,7 @@ void CompactPoints(SmokeMesh& mesh)
   }
   mesh.Points.resize(count);
   mesh.PointAges.resize(count);
+  mesh.Ends.resize(mesh.Ends.empty() ? 0 : count);
   mesh.Hints.resize(count);
   for (TetrahedronPoints& tetrahedron : mesh.Tetrahedra)
   {
@@ -60,6 +65,26 @@ void ScaleDensities(SmokeMesh& mesh)
   for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
   {
     mesh.Densities[i] *= sums[static_cast<std::size_t>(mesh.EmissionSteps[i])];
+  }
+}
+
+void AverageDensities(SmokeMesh& mesh)
+{
+  std::vector<double> volumes(mesh.Points.size(), 0.0);
+  mesh.PointDensities.assign(mesh.Points.size(), 0.0);
+  for (std::size_t i = 0; i < mesh.Tetrahedra.size(); ++i)
+  {
+    const double volume = VolumeOf(mesh.Tetrahedra[i], mesh.Points);
+    for (const PointId point : mesh.Tetrahedra[i])
+    {
+      volumes[static_cast<std::size_t>(point)] += volume;
+      mesh.PointDensities[static_cast<std::size_t>(point)] += volume * mesh.Densities[i];
+    }
+  }
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    const bool fades = !mesh.Ends.empty() && mesh.Ends[i] != 0;
+    mesh.PointDensities[i] *= fades || !(volumes[i] > 0.0) ? 0.0 : 1.0 / volumes[i];
   }
 }
 }

@@ -7,6 +7,7 @@
 #include "PrismTetrahedra.h"
 #include "VelocityField.h"
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -54,8 +55,10 @@ struct SmokeMesh
   std::vector<CellHint> Hints;   // where the points are in the field
   std::vector<TetrahedronPoints> Tetrahedra;
   std::vector<int> EmissionSteps;
-  std::vector<double> Ages;      // s, in the middle of the step
-  std::vector<double> Densities; // relative to the density at the polygon
+  std::vector<double> Ages;           // s, in the middle of the step
+  std::vector<double> Densities;      // relative to the density at the polygon
+  std::vector<std::uint8_t> Ends;     // 1: a point where smoke ends before its time; empty: none
+  std::vector<double> PointDensities; // as AverageDensities makes them; empty before
   SmokeReport Report;
 };
 
@@ -65,6 +68,10 @@ void CompactPoints(SmokeMesh& mesh);
 // Scales the densities of each emission step so that the sum of density times volume over its tetrahedra is
 // Report.MassPerStep.
 void ScaleDensities(SmokeMesh& mesh);
+
+// A density that is continuous: that of the smoke in all tetrahedra at a point. Interpolated linearly in the tetrahedra, it has the mass of the
+// densities of the tetrahedra, but for the smoke at Ends, where it fades to 0: triangles end at whole steps, which would show as edges.
+void AverageDensities(SmokeMesh& mesh);
 
 struct FlowVolumeSettings
 {

@@ -300,10 +300,24 @@ private:
       else
       {
         this->Ending.push_back(this->EndedOf(triangle));
+        this->MarkEnd(triangle);
       }
     }
     this->Between.Below = &this->Front;
     return above;
+  }
+
+  // The smoke of a triangle that came from the polygon ends here.
+  void MarkEnd(const FrontTriangle& triangle)
+  {
+    for (const PointId corner : triangle.Points)
+    {
+      const auto id = static_cast<std::size_t>(this->Front.Ids[static_cast<std::size_t>(corner)]);
+      if (this->LayerStart > 0.0)
+      {
+        this->Mesh.Ends[id] = 1;
+      }
+    }
   }
 
   EndedSmoke EndedOf(const FrontTriangle& triangle) const
@@ -403,6 +417,7 @@ private:
     this->Mesh.Points.push_back(front.Positions[i]);
     this->Mesh.Hints.push_back(front.Hints[i]);
     this->Mesh.PointAges.push_back(age);
+    this->Mesh.Ends.push_back(0);
   }
 
   void RemoveTetrahedra(std::size_t first)

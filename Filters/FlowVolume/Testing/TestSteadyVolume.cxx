@@ -6,6 +6,7 @@
 #include "ThreadScope.h"
 
 #include "OwnThreads.h"
+#include "SmokeGeometry.h"
 
 using namespace nephoscope_test;
 
@@ -76,6 +77,25 @@ TEST(SteadyVolume, SpreadingSmokeGrowsAndThins)
   EXPECT_NEAR(mesh.Densities.back() / mesh.Densities.front(), 0.153355, 1e-6);
   EXPECT_NEAR(mesh.Densities.back() / mesh.Densities.front(), std::exp(-1.875), 1e-5);
   ExpectTrueMass(mesh);
+}
+
+TEST(SteadyVolume, DensitiesAtPointsHaveTheMassOfThoseOfCells)
+{
+  SmokeMesh mesh = Build(Spreading(), SmallTriangle(3), Steps(1.0, 16));
+  AverageDensities(mesh);
+  double mass = 0.0;
+  for (const TetrahedronPoints& tetrahedron : mesh.Tetrahedra)
+  {
+    for (const PointId point : tetrahedron)
+    {
+      mass += 0.25 * VolumeOf(tetrahedron, mesh.Points) *
+        mesh.PointDensities[static_cast<std::size_t>(point)];
+    }
+  }
+  EXPECT_NEAR(mass, mesh.Report.KeptMass, 1e-12 * mass);
+  const auto range = std::minmax_element(mesh.PointDensities.begin(), mesh.PointDensities.end());
+  EXPECT_GT(*range.first, 0.9 * std::exp(-2.0));
+  EXPECT_LT(*range.second, 1.0);
 }
 
 TEST(SteadyVolume, StepsAreHalvedWhereTheFlowTurnsAndOnlyThere)

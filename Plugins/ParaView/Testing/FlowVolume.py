@@ -70,6 +70,17 @@ def check_expanding():
     check(density.min() < 3 * np.exp(-1.8) and density.max() < 3, f"density {density.min()} to {density.max()}")
 
 
+def check_fading():
+    """Where smoke leaves the data triangle by triangle, it fades without bands across the stream: of the grey values of a row, the second differences are rounding."""
+    view = new_view((500, 500))
+    pvs.Show(pvs.FlowVolume(Input=wind("1+0.05*(coordsX+10)", "0.15*coordsY", "0.15*coordsZ"), Velocity=["POINTS", "wind"]), view)
+    pvs.ResetCamera(view)
+    grey = image(view).astype(float).mean(axis=2)
+    rows = [row[row > 0] for row in grey if (row > 0).sum() > 400]  # those that the stream crosses from end to end
+    bends = [np.abs(np.diff(row[len(row) * 3 // 4:-40], 2)).max() for row in rows]
+    check(len(rows) > 5 and np.median(bends) < 3, f"{len(rows)} rows bend by {np.median(bends)} of 255 where smoke fades")
+
+
 def check_place():
     """A fresh filter is where the flow is fast, faces it, and its polygon is inside."""
     jet = wind("3*exp(-((coordsY-4)^2+(coordsZ+3)^2)/4)")
@@ -271,6 +282,7 @@ load_plugin()
 pvs._DisableFirstRenderCameraReset()
 check_uniform()
 check_expanding()
+check_fading()
 check_place()
 check_place_follows()
 check_messages()
