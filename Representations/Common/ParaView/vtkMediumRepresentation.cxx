@@ -5,6 +5,7 @@
 #include "DataBlocks.h"
 #include "EmptyInput.h"
 #include "IdsAsNumbers.h"
+#include "RankDisplays.h"
 #include "vtkMediumVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -173,6 +174,15 @@ void vtkMediumRepresentation::SetInputArrayToProcess(
   }
 }
 
+void vtkMediumRepresentation::WarnOfDisplays()
+{
+  const std::string error = nephoscope::whyRanksWait();
+  if (!error.empty() && IsFirstRank())
+  {
+    vtkErrorMacro(<< error);
+  }
+}
+
 // A filter whose output is empty because it failed has told why.
 void vtkMediumRepresentation::WarnOfEmptiness(vtkDataObject* input)
 {
@@ -190,6 +200,7 @@ int vtkMediumRepresentation::RequestData(
 {
   if (inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
+    this->WarnOfDisplays();
     this->WarnOfEmptiness(vtkDataObject::GetData(inputVector[0], 0));
     this->PreparePiece(this->KeepDrawnBlocks(vtkDataObject::GetData(inputVector[0], 0)));
     this->PlacePiece();

@@ -151,6 +151,7 @@ protected:
   double OpacityScale = 1.0;
 
 private:
+  void WarnOfDisplays();
   void WarnOfEmptiness(vtkDataObject* input);
   void WarnOfMissingArray();
   vtkSmartPointer<vtkDataObject> KeepDrawnBlocks(vtkDataObject* input);

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** Ranks that cannot draw, because they have no display. */
+#ifndef RankDisplays_h
+#define RankDisplays_h
+
+#include <string>
+
+namespace nephoscope
+{
+
+/**
+ * Why ranks will wait for one another for ever: some can draw and others cannot. Empty where all can, or none; and from the second call on. Collective.
+ */
+std::string whyRanksWait();
+
+} // namespace nephoscope
+
+#endif
