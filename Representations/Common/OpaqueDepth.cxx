@@ -20,6 +20,17 @@ GLint attachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
+// From the lower left pixel of a framebuffer's region to a region of the bound one, of the same size.
+void blitDepth(GLuint source, const int corner[2], const int region[4])
+{
+  GLint destination = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &destination);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+  glBlitFramebuffer(corner[0], corner[1], corner[0] + region[2], corner[1] + region[3], region[0],
+    region[1], region[0] + region[2], region[1] + region[3], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(destination));
+}
+
 int depthTextureFormat(int bits, int type)
 {
   if (type == GL_FLOAT)
@@ -102,18 +113,21 @@ void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4], con
 
   GLint source = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  const DepthSamples samples = DepthSamples::OfDrawFramebuffer();
   state->PushFramebufferBindings();
   this->Whole.Framebuffer->Bind();
   this->Whole.Framebuffer->AddDepthAttachment(this->Whole.Texture);
-  GLint destination = 0;
-  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &destination);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(source));
   const int whole[4] = { 0, 0, width, height };
   const int* part = region ? region : whole;
-  const int end[2] = { part[0] + part[2], part[1] + part[3] };
-  glBlitFramebuffer(viewport[0] + part[0], viewport[1] + part[1], viewport[0] + end[0],
-    viewport[1] + end[1], part[0], part[1], end[0], end[1], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(destination));
+  const int corner[2] = { viewport[0] + part[0], viewport[1] + part[1] };
+  if (samples.Texture)
+  {
+    this->Whole.Framebuffer->DeactivateDrawBuffers();
+  }
+  if (!samples.Texture || !this->Mean.Draw(window, samples, corner, part))
+  {
+    blitDepth(static_cast<GLuint>(source), corner, part);
+  }
   state->PopFramebufferBindings();
 }
 
@@ -166,6 +180,7 @@ void OpaqueDepth::ReleaseGraphicsResources(vtkWindow* window)
     image->Framebuffer->ReleaseGraphicsResources(window);
     image->Texture->ReleaseGraphicsResources(window);
   }
+  this->Mean.ReleaseGraphicsResources();
   this->Size[0] = this->Size[1] = 0;
 }
 

@@ -6,6 +6,8 @@
 #ifndef OpaqueDepth_h
 #define OpaqueDepth_h
 
+#include "MeanDepth.h"
+
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkNew.h"
 
@@ -27,7 +29,7 @@ public:
 
   /**
    * Copies the depth of the bound draw framebuffer inside `viewport` (x, y, width, height in pixels) into a texture of
-   * that size, or only a region of it (x, y, width, height in the viewport). Framebuffer bindings are restored. Multisampled buffers are resolved.
+   * that size, or only a region of it (x, y, width, height in the viewport). Framebuffer bindings are restored. Of multisampled buffers it is the depth at the centres of the pixels (MeanDepth.h).
    */
   void Copy(vtkOpenGLRenderWindow* window, const int viewport[4], const int* region = nullptr);
   /** Picks the copy's depths at the centres of `width` times `height` larger pixels; GetTexture() gives them until the next copy. */
@@ -68,6 +70,7 @@ private:
     const Format& format, const int size[2]);
 
   Image Whole, Coarse, Second;
+  MeanDepth Mean;
   bool IsCoarse = false;
   Format AllocatedFormat;
   int Size[2] = { 0, 0 };

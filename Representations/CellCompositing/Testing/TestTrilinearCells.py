@@ -355,13 +355,19 @@ class TrilinearCells(unittest.TestCase):
             self.assert_same(one, cut, label + " as tetrahedra", 4 * STEP)  # of a smooth field
 
     def test_what_needs_tetrahedra_is_drawn_as_these(self):
+        """Contours of another array."""
         data = unstructured(with_values(tapered(), steep))
-        contours = lambda _scene, made: made.SetContourValue(0, 0.6)
+        meshes.add_array(data.GetPointData(), steep(meshes.points_of(data))[::-1].copy(), "t")
+
+        def contours(_scene, made):
+            made.SetContourArrayName("t")
+            made.SetContourValue(0, 0.6)
+
         one, other = (Drawn(data, CLEAR_BELOW, contours, trilinear=t).picture() for t in (True, False))
         self.assert_same(one, other, "contours", 0)
         drawn = Drawn(data, CLEAR_BELOW)
         plain = drawn.picture()
-        drawn.mapper.SetContourValue(0, 0.6)
+        contours(None, drawn.mapper)
         self.assert_same(drawn.picture(), one, "contours added", 0)
         drawn.mapper.SetNumberOfContourValues(0)
         self.assert_same(drawn.picture(), plain, "and taken away", 0)
