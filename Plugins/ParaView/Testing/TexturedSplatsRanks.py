@@ -8,7 +8,7 @@ from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "TexturedSplatsRun.py"
 ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "stray", "turned", "globe", "numbered", "numbered-image",
-               "slice", "flat", "flat-cells", "trees", "cells-of-trees", "no-vectors")
+               "slice", "flat", "flat-cells", "tilted", "tilted-cells", "trees", "cells-of-trees", "no-vectors")
 NAMES = ONE_PICTURE + ("hierarchy",)
 
 

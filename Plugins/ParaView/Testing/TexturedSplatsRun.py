@@ -29,6 +29,11 @@ draw("numbered-image", pvs.GenerateGlobalIds(Input=wavelet))
 draw("slice", pvs.Slice(Input=wavelet, SliceType="Plane"))
 draw("flat", pvs.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0]))
 draw("flat-cells", pvs.PointDatatoCellData(Input=pvs.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 0])), ("CELLS", "RTData"))
+# Through corners of cells, where it has cells without an area and several points in one place, not the same ones on any number of ranks.
+for name, data, array in (("tilted", wavelet, "POINTS"), ("tilted-cells", pvs.PointDatatoCellData(Input=wavelet), "CELLS")):
+    tilted = pvs.Slice(Input=data, SliceType="Plane")
+    tilted.SliceType.Normal = [1, 1, 1]
+    draw(name, tilted, (array, "RTData"))
 # Whose source gives each rank trees of its neighbours, without marks.
 trees = pvs.RandomHyperTreeGrid() if hasattr(pvs, "RandomHyperTreeGrid") else pvs.HyperTreeGridRandom()
 draw("trees", trees, ("CELLS", "Depth"))

@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nephoscope
 {
@@ -71,6 +72,36 @@ std::vector<Vector3> placesOfLowerRanks(
   std::sort(lower.begin(), lower.end());
   return lower;
 }
+
+// Places rounded, such that ranks that computed one of them in different ways have the same.
+class RoundedPlaces
+{
+public:
+  explicit RoundedPlaces(const std::vector<vtkBoundingBox>& boxes)
+  {
+    vtkBoundingBox all;
+    for (const vtkBoundingBox& box : boxes)
+    {
+      all.AddBox(box);
+    }
+    const double diagonal = all.IsValid() ? all.GetDiagonalLength() : 0.0;
+    this->Step = diagonal > 0.0 ? 1e-12 * diagonal : 1.0;
+  }
+
+  Vector3 Round(const Vector3& place) const
+  {
+    constexpr double offset = 0.382; // so that round numbers are not between two steps
+    Vector3 rounded;
+    std::transform(place.begin(), place.end(), rounded.begin(),
+      [&](double x) { return std::floor(x / this->Step + offset); });
+    return rounded;
+  }
+
+  double GetStep() const { return this->Step; }
+
+private:
+  double Step;
+};
 
 bool hasDuplicateCells(vtkDataSet* piece)
 {
@@ -148,7 +179,12 @@ std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
   {
     return owned;
   }
-  const std::vector<vtkBoundingBox> boxes = boundsOfRanks(controller, places);
+  std::vector<vtkBoundingBox> boxes = boundsOfRanks(controller, places);
+  const RoundedPlaces rounded(boxes);
+  for (vtkBoundingBox& box : boxes)
+  {
+    box.Inflate(box.IsValid() ? rounded.GetStep() : 0.0);
+  }
   std::vector<Vector3> shared;
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -158,7 +194,7 @@ std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
       if (static_cast<int>(rank) != controller->GetLocalProcessId() && boxes[rank].IsValid() &&
         boxes[rank].ContainsPoint(places[i].data()))
       {
-        shared.push_back(places[i]);
+        shared.push_back(rounded.Round(places[i]));
         indices.push_back(i);
         break;
       }

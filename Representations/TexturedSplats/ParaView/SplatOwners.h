@@ -16,7 +16,7 @@ namespace nephoscope
 {
 
 /**
- * For each of this rank's places, whether no lower rank has a sample at exactly the same one: pieces of a grid share the points of
+ * For each of this rank's places, whether no lower rank has a sample at the same one, to the rounding of double: pieces of a grid share the points of
  * their borders. Only places inside the bounds of another rank are exchanged. Collective.
  */
 std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places);

@@ -33,15 +33,19 @@ public:
   {
     return !this->Places.empty() && this->Places[static_cast<std::size_t>(id)] != id;
   }
+  /** A cell without an extent, as filters leave where they cut a mesh in its corners, or a point of nothing but such cells. */
+  bool IsNothing(vtkIdType id) const { return this->Share(id) == 0.0; }
   /** False where there are no cells around a point. */
   bool Get(vtkIdType id, SplatMatrix& jacobian) const;
-  /** The part of that shape's volume that the cells fill: less than 1 on the boundary. */
+  /** The part of that shape's volume that the cells fill: less than 1 on the boundary, 0 if they have none. */
   double Share(vtkIdType id) const
   {
     return this->Parts.empty() ? 1.0 : double(this->Parts[static_cast<std::size_t>(id)]);
   }
 
 private:
+  void FillIn(const std::vector<CellShare>& shares, bool onCells);
+
   std::vector<std::array<float, 9>> Shapes; // empty if the data have no cells
   std::vector<float> Parts;                 // of their volumes; empty if the data have no cells
   std::vector<vtkIdType> Places; // of each point the first one in its place; empty: all are apart

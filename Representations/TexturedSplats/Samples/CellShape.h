@@ -79,6 +79,14 @@ inline SplatMatrix BallOfEdge(double edge)
   return { { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } };
 }
 
+// Cells without an extent, to rounding, are nothing: filters leave them where they cut a mesh in its corners. `length`: the cell's, in the mean; `edge`:
+// of a cube or square of its size; `rounding`: how far apart corners in one place may be.
+inline bool HasExtent(double edge, double length, double rounding)
+{
+  constexpr double thinnest = 1e-4; // so that flat cells of any use remain
+  return edge > thinnest * length && length > rounding;
+}
+
 // What cells give to a sample: a corner, or their middle.
 struct CellShare
 {

@@ -25,7 +25,7 @@ std::vector<vtkIdType> visibleIds(const SplatShapes& shapes)
   ids.reserve(static_cast<std::size_t>(shapes.GetNumberOfIds()));
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
-    if (shapes.IsVisible(id) && !shapes.IsRepeated(id))
+    if (shapes.IsVisible(id))
     {
       ids.push_back(id);
     }

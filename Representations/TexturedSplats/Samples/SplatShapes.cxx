@@ -5,6 +5,7 @@
 #include "EllipsoidSplat.h"
 #include "HiddenSamples.h"
 #include "NeighborSpacing.h"
+#include "PointPlaces.h"
 #include "RobustBounds.h"
 #include "SplatSamples.h"
 
@@ -14,6 +15,7 @@
 #include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 #include "vtkSMPTools.h"
 
@@ -102,6 +104,10 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
     this->Cells.Find(data, this->OnCells);
   }
   this->Spaced = !(this->CellSize > 0) && this->Cells.IsEmpty();
+  if (!this->OnCells && this->Cells.IsEmpty() && vtkPolyData::SafeDownCast(data))
+  {
+    this->FindRepeated();
+  }
   if (this->Spaced && sampling.FromNeighbors && !this->OnCells)
   {
     this->Spacing = FindNeighborSpacing(data);
@@ -170,10 +176,12 @@ bool SplatShapes::IsSized(vtkIdType id) const
   return !this->SizeArray || (this->SizeOf(id) > 0 && std::isfinite(this->SizeOf(id)));
 }
 
-// Neither hidden nor repeated.
+// Neither hidden nor repeated, nor of a cell that is nothing.
 bool SplatShapes::IsShown(vtkIdType id) const
 {
-  return !this->Grid.IsRepeated(id) &&
+  const bool repeated = this->Grid.IsRepeated(id) || this->Cells.IsRepeated(id) ||
+    (!this->Repeated.empty() && this->Repeated[static_cast<std::size_t>(id)]);
+  return !repeated && !this->Cells.IsNothing(id) &&
     (this->Hidden.empty() || !this->Hidden[static_cast<std::size_t>(id)]);
 }
 
@@ -253,6 +261,21 @@ double SplatShapes::ShareInShown(vtkIdType id) const
   }
   return this->Grid.IsGrid() ? this->Grid.ShareInShown(id) * this->Grid.ShareInShape(id)
                              : this->Cells.Share(id);
+}
+
+// Filters that cut cells may leave several points in one place, and not the same number of them in a piece and in the whole.
+void SplatShapes::FindRepeated()
+{
+  const std::vector<vtkIdType> places = FindPlaces(this->Data);
+  std::vector<unsigned char> taken(places.size(), 0);
+  this->Repeated.assign(places.size(), 0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const auto place = static_cast<std::size_t>(places[i]);
+    const bool shown = this->Hidden.empty() || !this->Hidden[i];
+    this->Repeated[i] = taken[place];
+    taken[place] |= static_cast<unsigned char>(shown);
+  }
 }
 
 // Parts that are few and far away do not count: else all splats would grow with their distance.

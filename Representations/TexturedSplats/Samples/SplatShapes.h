@@ -62,7 +62,10 @@ public:
 
   /** Number of points or cells, hidden ones too. */
   vtkIdType GetNumberOfIds() const { return this->Count; }
-  /** Not hidden, not the repeated column of a closed grid, and not a duplicate of what another rank has, unless those are wanted. */
+  /**
+   * Not hidden, not the repeated column of a closed grid or a point in the place of another, whose splat represents both, not of cells that are nothing, and
+   * not a duplicate of what another rank has, unless those are wanted.
+   */
   bool IsVisible(vtkIdType id) const;
   /** Visible but for its size, which is not positive or not finite. */
   bool HasWrongSize(vtkIdType id) const { return !this->IsSized(id) && this->IsShown(id); }
@@ -74,8 +77,6 @@ public:
   double Share(vtkIdType id) const;
   /** The same, but for the ends of a grid. */
   double ShareInShown(vtkIdType id) const;
-  /** At the position of another point, whose splat represents both. */
-  bool IsRepeated(vtkIdType id) const { return this->Cells.IsRepeated(id); }
   bool HaveOneShape() const
   {
     return !this->ShapeArray && !this->SizeArray && this->Cells.IsEmpty() &&
@@ -92,6 +93,7 @@ public:
 
 private:
   double FindMeanSpacing() const;
+  void FindRepeated();
   double SizeOf(vtkIdType id) const;
   bool IsSized(vtkIdType id) const;
   bool IsShown(vtkIdType id) const;
@@ -108,6 +110,7 @@ private:
   std::vector<float> Spacing; // of neighbours
   bool Spaced = false;
   std::vector<unsigned char> Hidden;
+  std::vector<unsigned char> Repeated; // points of a surface in the place of another that is shown
   vtkIdType Count;
   double CellSize;
   double RadiusFactor;

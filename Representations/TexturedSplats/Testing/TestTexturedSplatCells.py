@@ -217,6 +217,21 @@ class Cells(ImageTestCase):
     def cube(self):
         return meshes.with_field(meshes.Lattice(1).mesh("hexahedron"), lambda p: 0 * p[:, 0])
 
+    def test_cells_without_extent_are_nothing(self):
+        """Filters that cut a mesh in its corners leave triangles whose corners are in one place or on one line, to rounding."""
+        plane = meshes.Lattice((4, 4, 1)).points
+        corners = plane[plane[:, 2] == 0]
+        squares = [(i + 5 * j, i + 5 * j + 1, i + 5 * j + 6, i + 5 * j + 5) for i in range(4) for j in range(4)]
+        tiny = [(7, 7, 8), (6, 7, 8), (25, 26, 27)]
+        points = np.concatenate([corners, 0.4 + 1e-17 * np.eye(3)])
+        for association in ("cell", "point"):
+            pictures = []
+            for polygons in (squares, squares + tiny):
+                data = meshes.surface(points[:25] if polygons is squares else points, polygons)
+                pictures.append(self.draw(meshes.with_field(data, lambda p: p[:, 0], association), association=association))
+            self.assertGreater(pictures[0][..., 3].max(), 0.05)
+            np.testing.assert_allclose(pictures[1], pictures[0], atol=1e-5, err_msg=association)
+
 
 if __name__ == "__main__":
     unittest.main()
