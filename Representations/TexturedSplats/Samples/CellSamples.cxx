@@ -3,6 +3,7 @@
 #include "CellSamples.h"
 
 #include "CellShares.h"
+#include "CellTaper.h"
 #include "HiddenSamples.h"
 #include "PointPlaces.h"
 #include "SplatNeedles.h"
@@ -21,6 +22,31 @@ namespace nephoscope
 namespace
 {
 using Shares = std::vector<CellShare>;
+
+/*
+ * A splat is its cell, blurred: its covariance is that of the cell plus that of the blur, which is the same for neighbours of like shape. On a lattice both
+ * are multiples of the square of the shape, and the sum is the variance of the kernel, 0.45 squared.
+ */
+constexpr double ofKernel = 0.45 * 0.45, ofCube = 1.0 / 12;
+
+// The square of the shape of a sample, wider where cells taper to an apex, and that of a cell with the covariance of the cell.
+SplatMatrix blurred(const CellShares& shares, std::size_t i, SplatMatrix square)
+{
+  const CellShare& share = shares.Shares[i];
+  if (!shares.Tapers.empty())
+  {
+    const TaperNeed need{ SymmetricMatrix(shares.Tapers[i]), shares.Tapers[i][6] };
+    need.Widen(square, share.MeanAngle > 0 ? share.MeanAngle : 1);
+  }
+  if (shares.Covariances.empty() || share.Dimension < 3)
+  {
+    return square;
+  }
+  SplatMatrix sum{};
+  AddWeighted(sum, square, 1 - ofCube / ofKernel);
+  AddWeighted(sum, SymmetricMatrix(shares.Covariances[i]), 1 / ofKernel);
+  return sum;
+}
 
 // One-sided points take the shape of the others of their cells.
 void shareShapes(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>& places)
@@ -60,7 +86,8 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
   const std::vector<vtkIdType> places = FindPlaces(data);
   this->Places = onCells ? std::vector<vtkIdType>() : places;
   const std::vector<unsigned char> hidden = FindHiddenCells(data);
-  Shares shares = FindCellShares(data, onCells, places, hidden);
+  CellShares found = FindCellShares(data, onCells, places, hidden);
+  Shares& shares = found.Shares;
   if (!onCells)
   {
     shareShapes(data, shares, places);
@@ -69,15 +96,17 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
   {
     share.Angle = onCells && share.Dimension > 0 ? 1 : share.Angle; // nothing around it counts
   }
-  this->FillIn(shares, onCells);
+  this->FillIn(found, onCells);
   if (!this->Shapes.empty())
   {
     WidenNeedles(data, onCells, places, hidden, { this->Shapes, this->Parts });
+    this->Blur(found);
   }
 }
 
-void CellSamples::FillIn(const Shares& shares, bool onCells)
+void CellSamples::FillIn(const CellShares& found, bool onCells)
 {
+  const Shares& shares = found.Shares;
   this->Shapes.clear();
   this->Parts.clear();
   const auto hasExtent = [](const CellShare& share) {
@@ -99,10 +128,33 @@ void CellSamples::FillIn(const Shares& shares, bool onCells)
       continue;
     }
     this->Parts[i] = static_cast<float>((onCells ? 1.0 : share.Around()) * share.Fill());
-    const SplatMatrix jacobian = share.Jacobian();
-    for (std::size_t c = 0; c < 9; ++c)
+    this->SetShape(i, share.Jacobian());
+  }
+}
+
+void CellSamples::SetShape(std::size_t i, const SplatMatrix& jacobian)
+{
+  for (std::size_t c = 0; c < 9; ++c)
+  {
+    this->Shapes[i][c] = static_cast<float>(jacobian[c / 3][c % 3]);
+  }
+}
+
+void CellSamples::Blur(const CellShares& found)
+{
+  if (found.Covariances.empty() && found.Tapers.empty())
+  {
+    return;
+  }
+  for (std::size_t i = 0; i < this->Shapes.size(); ++i)
+  {
+    const SplatMatrix before = MatrixOfShape(this->Shapes[i]);
+    const SplatMatrix after = TriangularRoot(blurred(found, i, SquareOfShape(this->Shapes[i])));
+    const double volume = Determinant(after);
+    if (before[0][0] != 0 && volume > 0 && std::isfinite(volume))
     {
-      this->Shapes[i][c] = static_cast<float>(jacobian[c / 3][c % 3]);
+      this->Parts[i] *= static_cast<float>(std::abs(Determinant(before)) / volume);
+      this->SetShape(i, after);
     }
   }
 }
@@ -114,36 +166,8 @@ bool CellSamples::Get(vtkIdType id, SplatMatrix& jacobian) const
   {
     return false;
   }
-  for (std::size_t c = 0; c < 9; ++c)
-  {
-    jacobian[c / 3][c % 3] = this->Shapes[i][c];
-  }
+  jacobian = MatrixOfShape(this->Shapes[i]);
   return true;
-}
-
-Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id)
-{
-  vtkNew<vtkIdList> corners;
-  data->GetCellPoints(id, corners);
-  std::vector<Vector3> places;
-  for (const vtkIdType corner : *corners)
-  {
-    Vector3 x;
-    data->GetPoint(corner, x.data());
-    if (std::find(places.begin(), places.end(), x) == places.end())
-    {
-      places.push_back(x);
-    }
-  }
-  Vector3 sum{};
-  for (const Vector3& x : places)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      sum[c] += x[c] / static_cast<double>(places.size());
-    }
-  }
-  return sum;
 }
 
 } // namespace nephoscope

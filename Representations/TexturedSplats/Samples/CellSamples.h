@@ -9,7 +9,7 @@
 #ifndef CellSamples_h
 #define CellSamples_h
 
-#include "CellShape.h"
+#include "CellShares.h"
 
 #include "vtkType.h"
 
@@ -44,15 +44,14 @@ public:
   }
 
 private:
-  void FillIn(const std::vector<CellShare>& shares, bool onCells);
+  void FillIn(const CellShares& found, bool onCells);
+  void SetShape(std::size_t i, const SplatMatrix& jacobian);
+  void Blur(const CellShares& found);
 
   std::vector<std::array<float, 9>> Shapes; // empty if the data have no cells
   std::vector<float> Parts;                 // of their volumes; empty if the data have no cells
   std::vector<vtkIdType> Places; // of each point the first one in its place; empty: all are apart
 };
-
-/** The mean of the corners of a cell, each place once: the edge of a hexahedron may have no length. */
-Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id);
 
 } // namespace nephoscope
 

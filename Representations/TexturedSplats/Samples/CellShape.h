@@ -43,6 +43,28 @@ inline void AddWeighted(SplatMatrix& sum, const SplatMatrix& m, double weight)
   }
 }
 
+// Columns of a Jacobian that is stored as nine numbers.
+inline SplatMatrix MatrixOfShape(const std::array<float, 9>& shape)
+{
+  SplatMatrix m;
+  for (std::size_t i = 0; i < 9; ++i)
+  {
+    m[i / 3][i % 3] = shape[i];
+  }
+  return m;
+}
+
+// J J^T, which is all that a kernel depends on.
+inline SplatMatrix SquareOfShape(const std::array<float, 9>& shape)
+{
+  SplatMatrix square{};
+  for (const Vector3& column : MatrixOfShape(shape))
+  {
+    AddOuterProduct(square, column);
+  }
+  return square;
+}
+
 // A lower triangle L with L L^T = m (Cholesky): the kernel of a splat depends on nothing else of its Jacobian. Columns are 0 where m has no
 // extent of its own.
 inline SplatMatrix TriangularRoot(const SplatMatrix& m)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellShares.h"
 
+#include "CellMoments.h"
+#include "CellTaper.h"
 #include "HigherOrderCells.h"
 #include "PointPlaces.h"
 
@@ -21,6 +23,7 @@ namespace nephoscope
 namespace
 {
 constexpr double sphere = 12.566370614359172;
+constexpr double lattice = 1.0 / 8; // the angle of a hexahedron's corner
 constexpr double circle = 6.283185307179586;
 
 // Which corners each corner has an edge to, and tetrahedra that fill the cell.
@@ -44,6 +47,21 @@ constexpr CellKind wedge{ 6,
   { { 1, 2, 3 }, { 0, 2, 4 }, { 0, 1, 5 }, { 0, 4, 5 }, { 1, 3, 5 }, { 2, 3, 4 } }, 3,
   { { 0, 1, 2, 5 }, { 0, 1, 5, 4 }, { 0, 4, 5, 3 } } };
 
+// By both diagonals of its base, so that it counts twice.
+constexpr CellKind pyramid{ 5, {}, 4,
+  { { 0, 1, 2, 4 }, { 0, 2, 3, 4 }, { 0, 1, 3, 4 }, { 1, 2, 3, 4 } } };
+
+CellMoments momentsOf(const CellKind& kind, const Vector3* x)
+{
+  CellMoments moments(x[0]);
+  for (int t = 0; t < kind.NumberOfTetrahedra; ++t)
+  {
+    const int* c = kind.Tetrahedra[t];
+    moments.AddTetrahedron(x[c[0]], x[c[1]], x[c[2]], x[c[3]]);
+  }
+  return moments;
+}
+
 // Faces of a hexahedron, from each of their edges on, and the corners on the other side.
 constexpr int collapsed[12][8] = { { 0, 1, 2, 3, 4, 5, 6, 7 }, { 1, 2, 3, 0, 5, 6, 7, 4 },
   { 2, 3, 0, 1, 6, 7, 4, 5 }, { 3, 0, 1, 2, 7, 4, 5, 6 }, { 0, 4, 5, 1, 3, 7, 6, 2 },
@@ -51,15 +69,14 @@ constexpr int collapsed[12][8] = { { 0, 1, 2, 3, 4, 5, 6, 7 }, { 1, 2, 3, 0, 5, 
   { 0, 3, 7, 4, 1, 2, 6, 5 }, { 3, 7, 4, 0, 2, 6, 5, 1 }, { 7, 4, 0, 3, 6, 5, 1, 2 },
   { 4, 0, 3, 7, 5, 1, 2, 6 } };
 
-using Shares = std::vector<CellShare>;
-
 // The shares of one cell for its corners, and the whole cell.
-class CellShares
+class ShareFinder
 {
 public:
-  CellShares(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>& places, bool onCells)
+  ShareFinder(
+    vtkDataSet* data, CellShares& found, const std::vector<vtkIdType>& places, bool onCells)
     : Data(data)
-    , All(shares)
+    , Found(found)
     , Places(places)
     , OnCells(onCells)
     , Rounding(RoundingOfPlaces(data))
@@ -76,6 +93,19 @@ public:
       return;
     }
     this->Data->GetCellPoints(id, this->Points);
+    this->Whole = CellMoments(this->Place(this->Points->GetId(0)));
+    this->AddCell(type);
+    if (this->OnCells && this->Whole.GetSize() > 0)
+    {
+      this->Found.Covariances.resize(this->Found.Shares.size(), {});
+      this->AddTo(
+        this->Found.Covariances[static_cast<std::size_t>(id)], this->Whole.GetCovariance(), 1);
+    }
+  }
+
+private:
+  void AddCell(int type)
+  {
     if (type == VTK_TETRA)
     {
       this->AddSolid(tetrahedron, this->Points->GetPointer(0));
@@ -113,7 +143,6 @@ public:
     }
   }
 
-private:
   Vector3 Place(vtkIdType point) const
   {
     Vector3 x;
@@ -125,12 +154,12 @@ private:
   {
     if (!this->OnCells)
     {
-      this->All[static_cast<std::size_t>(PlaceOfPoint(this->Places, point))].Add(share);
+      this->Found.Shares[static_cast<std::size_t>(PlaceOfPoint(this->Places, point))].Add(share);
       return;
     }
     CellShare whole = share;
     whole.Angle = whole.MeanAngle = whole.LatticeAngle = 0; // the share of all corners is the cell
-    this->All[static_cast<std::size_t>(this->Id)].Add(whole);
+    this->Found.Shares[static_cast<std::size_t>(this->Id)].Add(whole);
   }
 
   // Where there is no other cell, the sample is nothing.
@@ -144,20 +173,22 @@ private:
     }
   }
 
-  // `times`: of parts of a cell that overlap.
-  void AddSolid(const CellKind& kind, const vtkIdType* points, double times = 1)
+  // `times`: of parts of a cell that overlap; `weights`: the parts of the volume that are nearest to each corner, if not by their angles.
+  void AddSolid(const CellKind& kind, const vtkIdType* points, double times = 1,
+    const double* weights = nullptr)
   {
     Vector3 x[8];
     for (int i = 0; i < kind.Corners; ++i)
     {
       x[i] = this->Place(points[i]);
     }
-    double volume = 0;
+    const double before = this->Whole.GetSize();
     for (int t = 0; t < kind.NumberOfTetrahedra; ++t)
     {
       const int* c = kind.Tetrahedra[t];
-      volume += times * std::abs(signedVolume(x[c[0]], x[c[1]], x[c[2]], x[c[3]]));
+      this->Whole.AddTetrahedron(x[c[0]], x[c[1]], x[c[2]], x[c[3]], times);
     }
+    const double volume = this->Whole.GetSize() - before;
     SplatMatrix edges[8] = {};
     double angles[8], all = 0, squares = 0;
     for (int i = 0; i < kind.Corners; ++i)
@@ -188,7 +219,7 @@ private:
       share.MeanAngle = kind.Corners == 4 ? angles[i] : even;
       share.LatticeAngle =
         kind.Corners == 6 ? 0.5 * (angles[i] + angles[(i + 3) % 6]) : share.MeanAngle;
-      share.Size = volume * share.MeanAngle / all;
+      share.Size = volume * (weights ? weights[i] : share.MeanAngle / all);
       AddWeighted(share.Edges, edges[i], share.MeanAngle);
       this->Give(points[i], share);
     }
@@ -217,11 +248,87 @@ private:
       if (same(c[0], c[1]) && same(c[4], c[5]))
       {
         const vtkIdType corners[6] = { p[c[0]], p[c[2]], p[c[3]], p[c[4]], p[c[6]], p[c[7]] };
-        this->AddSolid(wedge, corners);
+        // Of a triangle, a quarter is nearer to its tip than to its base.
+        constexpr double weights[6] = { 1.0 / 8, 3.0 / 16, 3.0 / 16, 1.0 / 8, 3.0 / 16, 3.0 / 16 };
+        this->AddSolid(wedge, corners, 1, weights);
+        this->AddTaper(p);
         return;
       }
     }
-    this->AddSolid(hexahedron, p);
+    double weights[8];
+    this->FindOctants(p, weights);
+    this->AddSolid(hexahedron, p, 1, weights);
+    this->AddTaper(p);
+  }
+
+  // The part of a hexahedron's volume that is nearest to each of its corners, by the volume that its edges span in the middle of that part.
+  void FindOctants(const vtkIdType* p, double weights[8])
+  {
+    double spanned[8], sum = 0;
+    for (int i = 0; i < 8; ++i)
+    {
+      const Vector3 x = this->Place(p[i]);
+      const int* next = hexahedron.Neighbors[i];
+      spanned[i] = std::abs(tripleProduct(
+        this->Place(p[next[0]]) - x, this->Place(p[next[1]]) - x, this->Place(p[next[2]]) - x));
+    }
+    for (int i = 0; i < 8; ++i)
+    {
+      weights[i] = 0;
+      for (int j = 0; j < 8; ++j)
+      {
+        // One after the other around each of both ends, so that corners that differ by 2 there are across from each other.
+        const int around = (i - j) & 3;
+        const int steps = (around == 2 ? 2 : around & 1) + int(i / 4 != j / 4);
+        weights[i] += spanned[j] * std::pow(3.0, 3 - steps);
+      }
+      sum += weights[i];
+    }
+    for (int i = 0; i < 8; ++i)
+    {
+      weights[i] = sum > 0 && std::isfinite(sum) ? weights[i] / sum : 1.0 / 8;
+    }
+  }
+
+  void AddTaper(const vtkIdType* p)
+  {
+    Vector3 x[8];
+    for (int i = 0; i < 8; ++i)
+    {
+      x[i] = this->Place(p[i]);
+    }
+    const CellTaper taper(x);
+    if (!taper.ReachesApex())
+    {
+      return;
+    }
+    this->Found.Tapers.resize(this->Found.Shares.size(), {});
+    if (this->OnCells)
+    {
+      this->AddNeed(static_cast<std::size_t>(this->Id), taper.AtMiddle(), 1);
+      return;
+    }
+    for (int i = 0; i < 8; ++i)
+    {
+      const auto place = static_cast<std::size_t>(PlaceOfPoint(this->Places, p[i]));
+      this->AddNeed(place, taper.AtCorner(i), lattice);
+    }
+  }
+
+  void AddNeed(std::size_t sample, const TaperNeed& need, double weight)
+  {
+    AddTo(this->Found.Tapers[sample], need.More, weight);
+    this->Found.Tapers[sample][6] += static_cast<float>(weight * need.Squares);
+  }
+
+  template <std::size_t size>
+  static void AddTo(std::array<float, size>& sum, const SplatMatrix& m, double weight)
+  {
+    const double numbers[6] = { m[0][0], m[0][1], m[0][2], m[1][1], m[1][2], m[2][2] };
+    for (std::size_t i = 0; i < 6; ++i)
+    {
+      sum[i] += static_cast<float>(weight * numbers[i]);
+    }
   }
 
   // A cell of two dimensions, one edge after the other.
@@ -287,31 +394,83 @@ private:
   }
 
   vtkDataSet* Data;
-  Shares& All;
+  CellShares& Found;
   const std::vector<vtkIdType>& Places;
   bool OnCells;
   double Rounding;
   vtkIdType Id = 0;
+  CellMoments Whole{ Vector3{} };
   vtkNew<vtkIdList> Points;
   vtkNew<vtkPoints> Coordinates;
   vtkNew<vtkGenericCell> Cell;
 };
 } // namespace
 
-std::vector<CellShare> FindCellShares(vtkDataSet* data, bool onCells,
-  const std::vector<vtkIdType>& places, const std::vector<unsigned char>& hidden)
+CellShares FindCellShares(vtkDataSet* data, bool onCells, const std::vector<vtkIdType>& places,
+  const std::vector<unsigned char>& hidden)
 {
   const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  Shares shares(static_cast<std::size_t>(count));
-  CellShares cells(data, shares, places, onCells);
+  CellShares found;
+  found.Shares.resize(static_cast<std::size_t>(count));
+  ShareFinder finder(data, found, places, onCells);
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
   {
     if (hidden.empty() || !hidden[static_cast<std::size_t>(id)])
     {
-      cells.Add(id);
+      finder.Add(id);
     }
   }
-  return shares;
+  return found;
+}
+
+namespace
+{
+// Null for other types; tetrahedra and voxels have the mean of their corners.
+const CellKind* kindOf(int type)
+{
+  return type == VTK_HEXAHEDRON ? &hexahedron
+    : type == VTK_WEDGE         ? &wedge
+    : type == VTK_PYRAMID       ? &pyramid
+                                : nullptr;
+}
+}
+
+Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id)
+{
+  vtkNew<vtkIdList> corners;
+  data->GetCellPoints(id, corners);
+  if (const CellKind* kind = kindOf(data->GetCellType(id)))
+  {
+    Vector3 x[8];
+    for (int i = 0; i < kind->Corners; ++i)
+    {
+      data->GetPoint(corners->GetId(i), x[i].data());
+    }
+    const CellMoments moments = momentsOf(*kind, x);
+    if (moments.GetSize() > 0 && std::isfinite(moments.GetSize()))
+    {
+      return moments.GetCenter();
+    }
+  }
+  std::vector<Vector3> places;
+  for (const vtkIdType corner : *corners)
+  {
+    Vector3 x;
+    data->GetPoint(corner, x.data());
+    if (std::find(places.begin(), places.end(), x) == places.end())
+    {
+      places.push_back(x);
+    }
+  }
+  Vector3 sum{};
+  for (const Vector3& x : places)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      sum[c] += x[c] / static_cast<double>(places.size());
+    }
+  }
+  return sum;
 }
 
 } // namespace nephoscope

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What every cell gives to its corners, or to itself. */
+/** What every cell gives to its corners, or to itself; its middle. */
 #ifndef CellShares_h
 #define CellShares_h
 
@@ -8,6 +8,7 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <vector>
 
 class vtkDataSet;
@@ -15,10 +16,29 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** One for each point, or cell. `places`: for each point the first one in its place, which gets all, or empty. `hidden`: flags of cells that do not count, or
- * empty. */
-std::vector<CellShare> FindCellShares(vtkDataSet* data, bool onCells,
-  const std::vector<vtkIdType>& places, const std::vector<unsigned char>& hidden);
+/** One for each point, or cell. */
+struct CellShares
+{
+  std::vector<CellShare> Shares;
+  std::vector<std::array<float, 6>>
+    Covariances; ///< of cells of three dimensions: xx, xy, xz, yy, yz, zz
+  /** Numbers of TaperNeed (CellTaper.h), in sum; empty: nothing is needed. */
+  std::vector<std::array<float, 7>> Tapers;
+};
+
+/** `places`: for each point the first one in its place, which gets all, or empty. `hidden`: flags of cells that do not count, or empty. */
+CellShares FindCellShares(vtkDataSet* data, bool onCells, const std::vector<vtkIdType>& places,
+  const std::vector<unsigned char>& hidden);
+
+/** A symmetric matrix of its six numbers, the first of an array. */
+template <std::size_t size>
+SplatMatrix SymmetricMatrix(const std::array<float, size>& m)
+{
+  return { { { { m[0], m[1], m[2] } }, { { m[1], m[3], m[4] } }, { { m[2], m[4], m[5] } } } };
+}
+
+/** The centre of mass of a cell; where it has no volume, or another type, the mean of its corners, each place once: the edge of a hexahedron may have no length. */
+Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id);
 
 } // namespace nephoscope
 

@@ -19,35 +19,14 @@ namespace nephoscope
 {
 namespace
 {
-// Squares of widths.
-constexpr double narrow = 1.0 / 9, wide = 0.8;
-
-SplatMatrix matrixOf(const std::array<float, 9>& shape)
-{
-  SplatMatrix m;
-  for (std::size_t i = 0; i < 9; ++i)
-  {
-    m[i / 3][i % 3] = shape[i];
-  }
-  return m;
-}
-
-// J J^T, which is all that a kernel depends on.
-SplatMatrix squareOf(const std::array<float, 9>& shape)
-{
-  SplatMatrix square{};
-  for (const Vector3& column : matrixOf(shape))
-  {
-    AddOuterProduct(square, column);
-  }
-  return square;
-}
+// Squares of widths. Around an axis, where the mean of squares is half of the greatest one, cells get as wide as they are long but for `wide`.
+constexpr double narrow = 1.0 / 9, wide = 0.8, aroundAxis = 2;
 
 // False, at little cost, for nearly all samples of even meshes: the ellipsoid is not three times as long as it is wide. The product of the squares of
 // its three lengths is at most the least one times the square of half the sum of all.
 bool mayBeNeedle(const std::array<float, 9>& shape)
 {
-  const SplatMatrix m = matrixOf(shape);
+  const SplatMatrix m = MatrixOfShape(shape);
   const double volume = Determinant(m);
   double sum = 0;
   for (const float x : shape)
@@ -64,7 +43,7 @@ public:
   explicit Needle(const std::array<float, 9>& shape)
   {
     double a[3][3], vectors[3][3];
-    const SplatMatrix square = squareOf(shape);
+    const SplatMatrix square = SquareOfShape(shape);
     double* rows[3] = { a[0], a[1], a[2] };
     double* columns[3] = { vectors[0], vectors[1], vectors[2] };
     for (std::size_t i = 0; i < 9; ++i)
@@ -79,8 +58,8 @@ public:
     this->Needed = this->Squares;
   }
 
-  // Another sample, at this offset.
-  void Compare(const SplatMatrix& other, const Vector3& offset)
+  // Another sample, at this offset: so many times its square is needed.
+  void Compare(const SplatMatrix& other, const Vector3& offset, double times = 1)
   {
     const double length = norm(offset);
     for (std::size_t k = 0; k < 3 && length > 0; ++k)
@@ -95,7 +74,7 @@ public:
       const double width = std::min(dot(across, Times(other, across)), longest);
       if (this->Squares[k] < narrow * width)
       {
-        this->Needed[k] = std::max(this->Needed[k], wide * width);
+        this->Needed[k] = std::max(this->Needed[k], wide * std::min(times * width, longest));
       }
     }
   }
@@ -112,7 +91,7 @@ public:
       AddWeighted(square, axis, this->Needed[k]);
     }
     const SplatMatrix root = TriangularRoot(square);
-    const double before = std::abs(Determinant(matrixOf(shape))), after = Determinant(root);
+    const double before = std::abs(Determinant(MatrixOfShape(shape))), after = Determinant(root);
     if (!(after > before))
     {
       return;
@@ -207,7 +186,7 @@ public:
       });
     };
     forCorners([&](std::size_t cell, std::size_t corner) {
-      AddWeighted(means[corner], squareOf(this->Splats.Shapes[cell]), 1);
+      AddWeighted(means[corner], SquareOfShape(this->Splats.Shapes[cell]), 1);
       ++counts[corner];
     });
     forCorners([&](std::size_t cell, std::size_t corner) {
@@ -215,8 +194,9 @@ public:
       {
         SplatMatrix mean{};
         AddWeighted(mean, means[corner], 1.0 / counts[corner]);
-        this->NeedleOf(cell).Compare(
-          mean, this->PlaceOf(corner) - CenterOfCell(this->Data, static_cast<vtkIdType>(cell)));
+        this->NeedleOf(cell).Compare(mean,
+          this->PlaceOf(corner) - CenterOfCell(this->Data, static_cast<vtkIdType>(cell)),
+          aroundAxis);
       }
     });
     this->Widen();
@@ -234,7 +214,7 @@ private:
   {
     if (this->Numbers[i] != none)
     {
-      this->NeedleOf(i).Compare(squareOf(this->Splats.Shapes[other]), offset);
+      this->NeedleOf(i).Compare(SquareOfShape(this->Splats.Shapes[other]), offset);
     }
   }
 

@@ -141,6 +141,18 @@ class Mass(ImageTestCase):
                     self.assertLess(middle.max(), 1.4)
                     self.assertGreater(middle.min(), 0.75)
 
+    def test_fans_around_a_hole(self):
+        """Cells that taper to an axis overlap there, even where a hole keeps them apart: the depth of every ring is that of the mesh."""
+        grid = polar((9, 49, 13), (0.02, 1), (0, 3))
+        for association in ("point", "cell"):
+            depth = self.depths(as_list(grid), (0, 0, 1), association=association, margin=-0.2) / EXTINCTION / 3
+            x, y = (np.indices(depth.shape) + 0.5 - PIXELS / 2) * (2 * self.scale(grid, -0.2) / PIXELS)
+            radius = np.hypot(x, y)
+            rings = [depth[(radius >= a) & (radius < b)].mean() for a, b in ((0, 0.1), (0.1, 0.2), (0.2, 0.5), (0.5, 0.8))]
+            print(f"  {association}s, depth of rings:", *(f"{ring:.3f}" for ring in rings), flush=True)
+            np.testing.assert_allclose(rings, 1, atol=0.09 if association == "point" else 0.06)
+            self.assertLess(depth.max(), 1.12)
+
     def test_hidden_cells(self):
         """Next to them is a border as at the end of the grid; in a list of cells too."""
         image = meshes.image((8, 4, 4), (0.125, 0.25, 0.25))
