@@ -12,6 +12,13 @@
 
 namespace nephoscope
 {
+/*
+ * A splat is its cell, blurred: its covariance is that of the cell plus that of the blur, which is the same for neighbours of like shape. On a lattice both
+ * are multiples of the square of the shape, and the sum is the variance of the kernel, 0.45 squared.
+ */
+constexpr double varianceOfKernel = 0.45 * 0.45, varianceOfCube = 1.0 / 12;
+constexpr double blurOfSquare = 1 - varianceOfCube / varianceOfKernel;
+
 class CellMoments
 {
 public:
@@ -39,6 +46,16 @@ public:
       }
     }
     this->AddSquare(sum, volume / 20);
+  }
+
+  // Corners in the order of VTK_HEXAHEDRON.
+  void AddHexahedron(const Vector3 (&x)[8])
+  {
+    constexpr int around[6] = { 1, 2, 3, 7, 4, 5 }; // the diagonal from 0 to 6
+    for (int i = 0; i < 6; ++i)
+    {
+      this->AddTetrahedron(x[0], x[around[i]], x[around[(i + 1) % 6]], x[6]);
+    }
   }
 
   double GetSize() const { return this->Size; }

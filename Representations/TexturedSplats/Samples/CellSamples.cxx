@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellSamples.h"
 
+#include "CellMoments.h"
 #include "CellShares.h"
 #include "CellTaper.h"
 #include "HiddenSamples.h"
@@ -23,12 +24,6 @@ namespace
 {
 using Shares = std::vector<CellShare>;
 
-/*
- * A splat is its cell, blurred: its covariance is that of the cell plus that of the blur, which is the same for neighbours of like shape. On a lattice both
- * are multiples of the square of the shape, and the sum is the variance of the kernel, 0.45 squared.
- */
-constexpr double ofKernel = 0.45 * 0.45, ofCube = 1.0 / 12;
-
 // The square of the shape of a sample, wider where cells taper to an apex, and that of a cell with the covariance of the cell.
 SplatMatrix blurred(const CellShares& shares, std::size_t i, SplatMatrix square)
 {
@@ -43,8 +38,8 @@ SplatMatrix blurred(const CellShares& shares, std::size_t i, SplatMatrix square)
     return square;
   }
   SplatMatrix sum{};
-  AddWeighted(sum, square, 1 - ofCube / ofKernel);
-  AddWeighted(sum, SymmetricMatrix(shares.Covariances[i]), 1 / ofKernel);
+  AddWeighted(sum, square, blurOfSquare);
+  AddWeighted(sum, SymmetricMatrix(shares.Covariances[i]), 1 / varianceOfKernel);
   return sum;
 }
 

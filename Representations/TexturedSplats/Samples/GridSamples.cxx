@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridSamples.h"
 
+#include "CellMoments.h"
+#include "CellTaper.h"
 #include "SplatSeam.h"
 
 #include "vtkDataSet.h"
@@ -189,7 +191,58 @@ Vector3 GridSamples::Position(vtkIdType id) const
 {
   int index[3];
   this->IndexOf(id, index);
+  Vector3 corners[8];
+  if (this->Curved && this->OnCells && this->FindCell(index, corners))
+  {
+    CellMoments moments(corners[0]);
+    moments.AddHexahedron(corners);
+    if (moments.GetSize() > 0 && std::isfinite(moments.GetSize()))
+    {
+      return moments.GetCenter();
+    }
+  }
   return this->At(index);
+}
+
+// In the order of VTK_HEXAHEDRON; false for cells of fewer dimensions.
+bool GridSamples::FindCell(const int index[3], Vector3 (&corners)[8]) const
+{
+  constexpr int order[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
+  for (int i = 0; i < 8; ++i)
+  {
+    this->Data->GetPoint(this->CornerOf(index, order[i]), corners[i].data());
+  }
+  return *std::min_element(this->PointDimensions, this->PointDimensions + 3) > 1;
+}
+
+// Gives columns the lengths that the covariance of the cell asks for; `share`: the cell's volume over theirs.
+void GridSamples::FitToCell(const Vector3 (&corners)[8], SplatMatrix& columns, double& share) const
+{
+  CellMoments moments(corners[0]);
+  moments.AddHexahedron(corners);
+  const double spanned = std::abs(Determinant(columns));
+  if (!(moments.GetSize() > 0) || !(spanned > 0) || !std::isfinite(moments.GetSize() / spanned))
+  {
+    return;
+  }
+  SplatMatrix square{};
+  for (const Vector3& column : columns)
+  {
+    AddOuterProduct(square, column);
+  }
+  CellTaper(corners).AtMiddle().Widen(square, 1);
+  const SplatMatrix covariance = moments.GetCovariance(), inverse = Inverse(columns);
+  share = moments.GetSize() / spanned;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Vector3 row = { { inverse[0][axis], inverse[1][axis], inverse[2][axis] } };
+    const double factor = std::sqrt(blurOfSquare * dot(row, Times(square, row)) +
+      dot(row, Times(covariance, row)) / varianceOfKernel);
+    columns[axis] = scaled(columns[axis], factor);
+    share /= factor;
+  }
+  constexpr double rounding = 1e-5;
+  share = std::abs(share - 1) < rounding ? 1 : share;
 }
 
 // From the middle of one face of a cell to that of the face on the other side.
@@ -255,6 +308,13 @@ SplatMatrix GridSamples::WideColumns(const int index[3], double& share) const
   {
     missing[axis] = !this->FindColumn(index, static_cast<int>(axis), columns[axis]);
   }
+  share = 1;
+  Vector3 corners[8];
+  if (this->Curved && this->OnCells && this->FindCell(index, corners))
+  {
+    this->FitToCell(corners, columns, share);
+    return columns;
+  }
   Vector3 widths{};
   if (this->Curved)
   {
@@ -264,7 +324,6 @@ SplatMatrix GridSamples::WideColumns(const int index[3], double& share) const
     }
   }
   thicken(columns, missing);
-  share = 1;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double length = norm(columns[axis]);

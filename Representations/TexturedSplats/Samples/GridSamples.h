@@ -44,7 +44,7 @@ public:
   /** Whether the point is in the last column of a grid that comes back to where it began along one of its axes (SplatSeam.h). */
   bool IsRepeated(vtkIdType id) const;
   /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. Needles
-   * are wider than their cells. */
+   * are wider than their cells. Cells of curved grids have the covariance of the cell (CellMoments.h). */
   SplatMatrix Jacobian(vtkIdType id) const;
 
   /** Cells that do not count, one flag each; none if empty. */
@@ -58,6 +58,8 @@ public:
 
 private:
   bool FindColumn(const int index[3], int axis, Vector3& column) const;
+  bool FindCell(const int index[3], Vector3 (&corners)[8]) const;
+  void FitToCell(const Vector3 (&corners)[8], SplatMatrix& columns, double& share) const;
   SplatMatrix WideColumns(const int index[3], double& share) const;
   std::array<double, 2> LengthsBeside(const int index[3], int axis, int along, double own) const;
   double WidthBeside(const int index[3], std::size_t axis, SplatMatrix& columns) const;
