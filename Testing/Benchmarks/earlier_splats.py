@@ -105,7 +105,8 @@ def sorted_splats(view):
     values = field(points)
     order = np.argsort(-(points @ view.forward), kind="stable")
     order = order[values[order] > 0.002]
-    return points[order], LOOK.color(values[order]), LOOK.extinction(values[order])
+    shares = splats.lattice_shares((SIDE,) * 3)  # of points on the boundary
+    return points[order], LOOK.color(values[order]), (LOOK.extinction(values) * shares)[order]
 
 
 def software(view):

@@ -6,7 +6,7 @@ the forecast on the globe, which change from sample to sample.
     ./nephoscope python Testing/Benchmarks/splats_against_cells.py
 
 The figures are those of float pictures of 512 x 512 pixels, where either has an opacity above 0.01. The last column is the mean opacity of the splats over
-that of the cells. Splats reach half a cell beyond the samples at the boundary, cells do not.
+that of the cells.
 """
 import numpy as np
 

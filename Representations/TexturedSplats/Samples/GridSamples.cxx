@@ -320,7 +320,7 @@ SplatMatrix GridSamples::WideColumns(const int index[3], double& share) const
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      widths[axis] = missing[axis] ? 0.0 : this->WidthBeside(index, axis, columns);
+      widths[axis] = missing[axis] ? 0.0 : this->WidthBeside(index, axis, columns, share);
     }
   }
   thicken(columns, missing);
@@ -336,8 +336,14 @@ SplatMatrix GridSamples::WideColumns(const int index[3], double& share) const
   return columns;
 }
 
-// How long a column becomes at the next samples along another axis: the least and the greatest length. Where the grid ends it goes on as before.
-std::array<double, 2> GridSamples::LengthsBeside(
+// How long a column becomes at the next samples along another axis; where the grid ends it goes on as before. There half of the sample's cell is on one side, and
+// as long in the mean as a quarter of the way to the next.
+struct GridSamples::LengthsOfColumn
+{
+  double Least, Greatest, Mean;
+};
+
+GridSamples::LengthsOfColumn GridSamples::LengthsBeside(
   const int index[3], int axis, int along, double own) const
 {
   double lengths[2];
@@ -352,20 +358,23 @@ std::array<double, 2> GridSamples::LengthsBeside(
     found[side] = next[along] >= 0 && next[along] <= period && this->FindColumn(next, axis, column);
     lengths[side] = norm(column);
   }
+  const double mean = found[0] == found[1] ? own : 0.75 * own + 0.25 * lengths[found[0] ? 0 : 1];
   for (int side = 0; side < 2; ++side)
   {
     lengths[side] = found[side] ? lengths[side]
       : found[1 - side]         ? 2 * own - lengths[1 - side]
                                 : own;
   }
-  return { { std::min(lengths[0], lengths[1]), std::max(lengths[0], lengths[1]) } };
+  return { std::min(lengths[0], lengths[1]), std::max(lengths[0], lengths[1]), mean };
 }
 
 /*
- * The width that a column needs where cells meet at an axis or a centre, which they are directed to by another column: the length of that. 0 elsewhere. A column of no
+ * The width that a column needs where cells meet at an axis or a centre, which they are directed to by another column: the length of that. 0 elsewhere. `share`: of the column's
+ * length in its middle, the mean over the sample's cell. A column of no
  * length gets that of the cell's middle, across the others: half of the cell is as wide on the mean as a quarter of the next.
  */
-double GridSamples::WidthBeside(const int index[3], std::size_t axis, SplatMatrix& columns) const
+double GridSamples::WidthBeside(
+  const int index[3], std::size_t axis, SplatMatrix& columns, double& share) const
 {
   constexpr double vanishing = 1e-3, narrow = 0.25;
   const double own = norm(columns[axis]);
@@ -380,14 +389,15 @@ double GridSamples::WidthBeside(const int index[3], std::size_t axis, SplatMatri
     }
     const auto beside =
       this->LengthsBeside(index, static_cast<int>(axis), static_cast<int>(along), own);
-    if (beside[1] > 0 && own <= vanishing * beside[1])
+    if (beside.Greatest > 0 && own <= vanishing * beside.Greatest)
     {
       const Vector3 normal = cross(columns[(axis + 1) % 3], columns[(axis + 2) % 3]);
       const Vector3 direction = norm(normal) > 0 ? normal : acrossOf(columns[along]);
-      columns[axis] = scaled(direction, 0.25 * beside[1] / norm(direction));
+      columns[axis] = scaled(direction, 0.25 * beside.Greatest / norm(direction));
       return length;
     }
-    width = beside[0] < narrow * own ? std::max(width, length) : width;
+    share *= own > 0 ? beside.Mean / own : 1;
+    width = beside.Least < narrow * own ? std::max(width, length) : width;
   }
   return width;
 }

@@ -61,8 +61,10 @@ private:
   bool FindCell(const int index[3], Vector3 (&corners)[8]) const;
   void FitToCell(const Vector3 (&corners)[8], SplatMatrix& columns, double& share) const;
   SplatMatrix WideColumns(const int index[3], double& share) const;
-  std::array<double, 2> LengthsBeside(const int index[3], int axis, int along, double own) const;
-  double WidthBeside(const int index[3], std::size_t axis, SplatMatrix& columns) const;
+  struct LengthsOfColumn;
+  LengthsOfColumn LengthsBeside(const int index[3], int axis, int along, double own) const;
+  double WidthBeside(
+    const int index[3], std::size_t axis, SplatMatrix& columns, double& share) const;
   vtkIdType CellAround(const int index[3], int octant, SplatMatrix& steps) const;
   vtkIdType CornerOf(const int index[3], int corner) const;
   Vector3 At(const int index[3]) const;

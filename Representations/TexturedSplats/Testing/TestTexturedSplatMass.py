@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mass of splats of points: the optical depth of a uniform medium, integrated over the picture, is its volume times its extinction; and none of it
 is in needles."""
+import itertools
 import unittest
 
 import nephoscope
@@ -138,18 +139,18 @@ class Mass(ImageTestCase):
                     depth = self.depths(data, direction, association=association, margin=0.3)
                     middle = depth[PIXELS // 2 - 8:PIXELS // 2 + 8, PIXELS // 2 - 8:PIXELS // 2 + 8] / EXTINCTION / exact
                     print(f"  {label}, {association}s, along {direction}: {middle.min():.2f} to {middle.max():.2f} of the depth", flush=True)
-                    self.assertLess(middle.max(), 1.4)
-                    self.assertGreater(middle.min(), 0.75)
+                    self.assertLess(middle.max(), 1.15)
+                    self.assertGreater(middle.min(), 0.8)
 
     def test_fans_around_a_hole(self):
         """Cells that taper to an axis overlap there, even where a hole keeps them apart: the depth of every ring is that of the mesh."""
         grid = polar((9, 49, 13), (0.02, 1), (0, 3))
-        for association in ("point", "cell"):
-            depth = self.depths(as_list(grid), (0, 0, 1), association=association, margin=-0.2) / EXTINCTION / 3
+        for association, data in itertools.product(("point", "cell"), (grid, as_list(grid))):
+            depth = self.depths(data, (0, 0, 1), association=association, margin=-0.2) / EXTINCTION / 3
             x, y = (np.indices(depth.shape) + 0.5 - PIXELS / 2) * (2 * self.scale(grid, -0.2) / PIXELS)
             radius = np.hypot(x, y)
             rings = [depth[(radius >= a) & (radius < b)].mean() for a, b in ((0, 0.1), (0.1, 0.2), (0.2, 0.5), (0.5, 0.8))]
-            print(f"  {association}s, depth of rings:", *(f"{ring:.3f}" for ring in rings), flush=True)
+            print(f"  {data.GetClassName()}, {association}s, depth of rings:", *(f"{ring:.3f}" for ring in rings), flush=True)
             np.testing.assert_allclose(rings, 1, atol=0.09 if association == "point" else 0.06)
             self.assertLess(depth.max(), 1.12)
 
