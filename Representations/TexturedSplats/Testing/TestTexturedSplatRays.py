@@ -34,7 +34,7 @@ def expected(data, view, transfer, stop=None):
     points = meshes.points_of(data)
     jacobians = splats.lattice_jacobians(points, dimensions(data))
     values = np.array([data.GetPointData().GetArray("s").GetValue(i) for i in range(len(points))])
-    return splats.render(view, points, jacobians, transfer.color(values), transfer.extinction(values) * splats.lattice_shares(dimensions(data)), stop)
+    return splats.render(view, points, jacobians, transfer.color(values), transfer.extinction(values) * splats.lattice_shares(dimensions(data), jacobians), stop)
 
 
 def dimensions(data):

@@ -74,7 +74,18 @@ def lattice_jacobians(points, dimensions):
     return np.stack(columns, axis=-1).reshape(-1, 3, 3)
 
 
-def lattice_shares(dimensions):
-    """The part of every point's cell that lies in the grid, x fastest: half at each end of an axis."""
+def lattice_shares(dimensions, jacobians=None):
+    """The part of every point's cell that lies in the grid, x fastest: half at each end of an axis, and there, with the points' own Jacobians, as long and
+    wide as a quarter of the way to the next point."""
     ends = [np.where((np.arange(n) % (n - 1) == 0), 0.5, 1.0) if n > 1 else np.ones(1) for n in dimensions]
-    return np.einsum("i,j,k->kji", *ends).ravel()
+    shares = np.einsum("i,j,k->kji", *ends)
+    if jacobians is not None:
+        lengths = np.linalg.norm(jacobians, axis=1).reshape(tuple(dimensions)[::-1] + (3,))
+        for along, size in enumerate(dimensions):
+            for end, beside in ((0, 1), (size - 1, size - 2)) if size > 1 else ():
+                at, nearby = ([slice(None)] * 3 for _ in range(2))
+                at[2 - along], nearby[2 - along] = end, beside
+                across = [axis for axis in range(3) if axis != along]
+                growth = 0.75 + 0.25 * lengths[tuple(nearby)] / lengths[tuple(at)]
+                shares[tuple(at)] *= growth[..., across].prod(axis=-1)
+    return shares.ravel()
