@@ -13,6 +13,7 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -28,6 +29,12 @@ public:
   void Find(vtkDataSet* data, bool onCells);
 
   bool IsEmpty() const { return this->Shapes.empty(); }
+  /** Every sample that is shown has a shape. */
+  bool IsComplete() const
+  {
+    const auto hasShape = [](const std::array<float, 9>& shape) { return shape[0] != 0; };
+    return !this->IsEmpty() && std::all_of(this->Shapes.begin(), this->Shapes.end(), hasShape);
+  }
   /** A point in the place of another that stands for both: at a seam, a pole, or where every cell has points of its own. */
   bool IsRepeated(vtkIdType id) const
   {

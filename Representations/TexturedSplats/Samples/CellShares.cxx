@@ -248,7 +248,7 @@ private:
       if (same(c[0], c[1]) && same(c[4], c[5]))
       {
         const vtkIdType corners[6] = { p[c[0]], p[c[2]], p[c[3]], p[c[4]], p[c[6]], p[c[7]] };
-        // Of a triangle, a quarter is nearer to its tip than to its base.
+        // A quarter of a triangle is nearer to its tip than to its base.
         constexpr double weights[6] = { 1.0 / 8, 3.0 / 16, 3.0 / 16, 1.0 / 8, 3.0 / 16, 3.0 / 16 };
         this->AddSolid(wedge, corners, 1, weights);
         this->AddTaper(p);
@@ -256,14 +256,18 @@ private:
       }
     }
     double weights[8];
-    this->FindOctants(p, weights);
-    this->AddSolid(hexahedron, p, 1, weights);
+    if (!this->OnCells) // to which all of it falls
+    {
+      this->FindOctants(p, weights);
+    }
+    this->AddSolid(hexahedron, p, 1, this->OnCells ? nullptr : weights);
     this->AddTaper(p);
   }
 
   // The part of a hexahedron's volume that is nearest to each of its corners, by the volume that its edges span in the middle of that part.
   void FindOctants(const vtkIdType* p, double weights[8])
   {
+    constexpr double threes[4] = { 1, 3, 9, 27 };
     double spanned[8], sum = 0;
     for (int i = 0; i < 8; ++i)
     {
@@ -280,7 +284,7 @@ private:
         // One after the other around each of both ends, so that corners that differ by 2 there are across from each other.
         const int around = (i - j) & 3;
         const int steps = (around == 2 ? 2 : around & 1) + int(i / 4 != j / 4);
-        weights[i] += spanned[j] * std::pow(3.0, 3 - steps);
+        weights[i] += spanned[j] * threes[3 - steps];
       }
       sum += weights[i];
     }

@@ -189,14 +189,16 @@ public:
       AddWeighted(means[corner], SquareOfShape(this->Splats.Shapes[cell]), 1);
       ++counts[corner];
     });
+    std::size_t last = this->Numbers.size(); // the cell whose centre that is
+    Vector3 center{};
     forCorners([&](std::size_t cell, std::size_t corner) {
       if (this->Numbers[cell] != none)
       {
+        center = cell == last ? center : CenterOfCell(this->Data, static_cast<vtkIdType>(cell));
+        last = cell;
         SplatMatrix mean{};
         AddWeighted(mean, means[corner], 1.0 / counts[corner]);
-        this->NeedleOf(cell).Compare(mean,
-          this->PlaceOf(corner) - CenterOfCell(this->Data, static_cast<vtkIdType>(cell)),
-          aroundAxis);
+        this->NeedleOf(cell).Compare(mean, this->PlaceOf(corner) - center, aroundAxis);
       }
     });
     this->Widen();

@@ -112,8 +112,10 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   {
     this->Spacing = FindNeighborSpacing(data);
   }
-  const double edge = this->CellSize > 0 ? this->CellSize : this->FindMeanSpacing();
-  this->Voxel = BallOfEdge(edge);
+  if (!this->Cells.IsComplete()) // else it is not used
+  {
+    this->Voxel = BallOfEdge(this->CellSize > 0 ? this->CellSize : this->FindMeanSpacing());
+  }
 }
 
 std::string SplatShapes::Check(vtkDataSet* data, const SplatSampling& sampling)

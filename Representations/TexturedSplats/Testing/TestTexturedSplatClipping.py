@@ -62,7 +62,8 @@ class Clipping(ImageTestCase):
         values = np.array([data.GetPointData().GetArray("s").GetValue(i) for i in range(len(points))])
         view = scene.view()
         begin, end = reference.between_planes(view, planes)
-        extinctions = COLORS.extinction(values) * splats.lattice_shares(dimensions)
+        shares = splats.lattice_shares(dimensions, jacobians if data.IsA("vtkStructuredGrid") else None)
+        extinctions = COLORS.extinction(values) * shares
         expected = splats.render(view, points, jacobians, COLORS.color(values), extinctions, np.maximum(begin, end), begin)
         self.check_float(image, expected, label, TOLERANCE)
         return image
