@@ -12,6 +12,18 @@ std::size_t index(vtkIdType number)
 {
   return static_cast<std::size_t>(number);
 }
+
+// Of a hexahedron or voxel whose first vertex is even.
+std::array<int, 8> oddVertices(int cellType)
+{
+  const std::array<int, 8> vertices = hexahedronForm(cellType).Vertices;
+  std::array<int, 8> odd{};
+  for (std::size_t corner = 0; corner < 8; ++corner)
+  {
+    odd[index(vertices[corner])] = static_cast<int>((corner ^ corner >> 1 ^ corner >> 2) & 1);
+  }
+  return odd;
+}
 }
 
 std::int32_t ColoredParts::Add()
@@ -81,8 +93,6 @@ bool ChessboardColors::Find()
 
 bool ChessboardColors::Add(vtkIdType cell)
 {
-  static constexpr unsigned char oddVoxel[8] = { 0, 1, 1, 0, 1, 0, 0, 1 };
-  static constexpr unsigned char oddHexahedron[8] = { 0, 1, 0, 1, 1, 0, 1, 0 };
   const int type = this->Grid->GetCellType(cell);
   if (type == VTK_EMPTY_CELL)
   {
@@ -92,7 +102,7 @@ bool ChessboardColors::Add(vtkIdType cell)
   {
     return false;
   }
-  const unsigned char* odd = type == VTK_VOXEL ? oddVoxel : oddHexahedron;
+  const std::array<int, 8> odd = oddVertices(type);
   vtkIdType size;
   const vtkIdType* points;
   this->Grid->GetCellPoints(cell, size, points);
@@ -100,8 +110,8 @@ bool ChessboardColors::Add(vtkIdType cell)
     points, points + 8, [this](vtkIdType point) { return this->PartOf[index(point)] >= 0; });
   const bool isNew = known == points + 8;
   const std::int32_t part = isNew ? this->Parts.Add() : this->PartOf[index(*known)];
-  const int base = isNew ? 0 : this->Odd[index(*known)] ^ odd[known - points];
-  for (int i = 0; i < 8; ++i)
+  const int base = isNew ? 0 : this->Odd[index(*known)] ^ odd[index(known - points)];
+  for (std::size_t i = 0; i < 8; ++i)
   {
     const std::size_t point = index(points[i]);
     const int color = base ^ odd[i];

@@ -12,6 +12,7 @@
 
 #include "CellCorners.h"
 #include "ChessboardGrid.h"
+#include "HexahedronForm.h"
 #include "HigherOrderCells.h"
 #include "LinearCellFaces.h"
 #include "PolyhedronConvexity.h"
@@ -297,8 +298,7 @@ private:
   template <typename Emit>
   void EmitFromGrid(int division, Emit emit)
   {
-    static constexpr std::array<int, 8> hexahedron{ { 0, 1, 3, 2, 4, 5, 7, 6 } };
-    const bool isVoxel = this->Type == VTK_VOXEL;
+    const std::array<int, 8> vertices = hexahedronForm(this->Type).Vertices;
     const bool ofGrid = division <= lastOfGrid;
     if (!ofGrid)
     {
@@ -312,9 +312,8 @@ private:
     for (const auto& corners : cellTetrahedra()[static_cast<std::size_t>((division - 1) & 1)])
     {
       std::array<int, 4> t;
-      std::transform(corners.begin(), corners.end(), t.begin(), [&](std::int64_t corner) {
-        return isVoxel ? static_cast<int>(corner) : hexahedron[static_cast<std::size_t>(corner)];
-      });
+      std::transform(corners.begin(), corners.end(), t.begin(),
+        [&](std::int64_t corner) { return vertices[static_cast<std::size_t>(corner)]; });
       if (!ofGrid)
       {
         this->AddVolume(t);
