@@ -13,7 +13,7 @@ std::size_t index(vtkIdType number)
   return static_cast<std::size_t>(number);
 }
 
-// Of a hexahedron or voxel whose first vertex is even.
+// Odd vertices of a hexahedron or voxel whose first vertex is even.
 std::array<int, 8> oddVertices(int cellType)
 {
   const std::array<int, 8> vertices = hexahedronForm(cellType).Vertices;

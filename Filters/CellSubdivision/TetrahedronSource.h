@@ -322,7 +322,7 @@ private:
     }
   }
 
-  // Of a cell with an even, and with an odd first vertex.
+  // The tetrahedra of a cell with an even, and with an odd first vertex.
   using CellTetrahedra = std::array<std::array<std::int64_t, 4>, ChessboardGrid::TetrahedraPerCell>;
   static const std::array<CellTetrahedra, 2>& cellTetrahedra()
   {

@@ -29,7 +29,7 @@ public:
 
   /**
    * Copies the depth of the bound draw framebuffer inside `viewport` (x, y, width, height in pixels) into a texture of
-   * that size, or only a region of it (x, y, width, height in the viewport). Framebuffer bindings are restored. Of multisampled buffers it is the depth at the centres of the pixels (MeanDepth.h).
+   * that size, or only a region of it (x, y, width, height in the viewport). Framebuffer bindings are restored. In multisampled buffers it is the depth at the centres of the pixels (MeanDepth.h).
    */
   void Copy(vtkOpenGLRenderWindow* window, const int viewport[4], const int* region = nullptr);
   /** Picks the copy's depths at the centres of `width` times `height` larger pixels; GetTexture() gives them until the next copy. */

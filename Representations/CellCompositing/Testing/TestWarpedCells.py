@@ -35,7 +35,8 @@ def cube(noise, blocks=6, alone=False):
         append.AddInputData(meshes.grid(np.array([(9, 0, 0), (10, 0, 0), (9, 1, 0), (9, 0, 1)], float), [(10, [0, 1, 2, 3])]))
     append.Update()
     data = append.GetOutput()
-    meshes.add_array(data.GetPointData(), np.linspace(0, 1, data.GetNumberOfPoints()).astype(np.float32))
+    for name in ("s", "t"):
+        meshes.add_array(data.GetPointData(), np.linspace(0, 1, data.GetNumberOfPoints()).astype(np.float32), name)
     return data
 
 
@@ -55,9 +56,14 @@ class Drawn:
         return np.abs(float_image(self.mapper)[..., 3] - OPAQUE)
 
 
-def with_contour(ours):
+def with_contour(ours, array=""):
     ours.SetNumberOfContourValues(1)
     ours.SetContourValue(0, 2.0)  # nowhere
+    ours.SetContourArrayName(array)
+
+
+def with_contour_of_another_array(ours):
+    with_contour(ours, "t")
 
 
 class TestWarpedCells(unittest.TestCase):
@@ -68,9 +74,18 @@ class TestWarpedCells(unittest.TestCase):
             self.assertEqual(messages.all, [])
             self.assertLess(errors.max(), 1e-4, noise)
 
+    def test_contours(self):
+        """Of the coloured array: drawn in whole cells, too."""
+        drawn = Drawn(cube(0.025))
+        with_contour(drawn.mapper)
+        with Messages() as messages:
+            errors = drawn.errors()
+        self.assertEqual(messages.all, [])
+        self.assertLess(errors.max(), 1e-4)
+
     def test_tetrahedra_say_so(self):
         """Where tetrahedra are needed, the picture is wrong, and a warning names the remedy."""
-        for choose in (lambda ours: ours.SetCellInterpolationToTetrahedra(), with_contour):
+        for choose in (lambda ours: ours.SetCellInterpolationToTetrahedra(), with_contour_of_another_array):
             drawn = Drawn(cube(0.025))
             choose(drawn.mapper)
             with Messages() as messages:
