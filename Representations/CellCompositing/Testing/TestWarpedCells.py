@@ -75,7 +75,7 @@ class TestWarpedCells(unittest.TestCase):
             self.assertLess(errors.max(), 1e-4, noise)
 
     def test_contours(self):
-        """Of the coloured array: drawn in whole cells, too."""
+        """Contours of the coloured array are drawn in whole cells, too."""
         drawn = Drawn(cube(0.025))
         with_contour(drawn.mapper)
         with Messages() as messages:
