@@ -3,12 +3,14 @@
 """nephoscope.satellite_image against closed forms and energy: reflectances, places, the file; and the tone curve of pictures."""
 import os
 import unittest
+import warnings
 from pathlib import Path
 
 import nephoscope
 import numpy as np
 import pyvista
 from nephoscope import tone
+from nephoscope._refined import refined
 
 OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
 WIDE, LEVELS = 20.0, 41
@@ -149,6 +151,52 @@ class Globe(unittest.TestCase):
             self.image().save("a.tif")
         with self.assertRaisesRegex(ValueError, "'linear', 'filmic'"):
             self.image().picture(tone_mapping="log")
+
+
+class CoarseGlobe(unittest.TestCase):
+    """Cells of several degrees are flat, and sag by kilometres."""
+
+    def image(self, step, pattern, view="geostationary", size=(100, 100), **options):
+        longitudes, latitudes = np.linspace(-60, 60, round(120 / step) + 1), np.linspace(-60, 60, round(120 / step) + 1)
+        grid = pyvista.RectilinearGrid(longitudes, latitudes, [0.0, 1000.0, 2000.0, 3000.0])
+        x, y, z = grid.points.T
+        nodes = np.linspace(-60, 60, 25)  # a field that is linear between points 5 degrees apart
+        coarse = pattern(np.arange(25)[:, None], np.arange(25)[None, :]) * np.ones((25, 25))
+        at_rows = np.array([np.interp(longitudes, nodes, row) for row in coarse])
+        field = np.array([np.interp(latitudes, nodes, column) for column in at_rows.T]).T
+        made = grid.nephoscope.globe(level_units="m", mask_below_ground=False)
+        made.point_data["Extinction"] = (4e-3 * np.tile(field.ravel(), 4) * (np.abs(made.point_data["Height"] - 1500) < 600)).astype(np.float32)
+        sun = {"direction": (1, 0.5, 0.2), "sky_light": 0, **options}
+        return nephoscope.satellite_image(made, view, sun=sun, size=size, longitude=0).reflectance
+
+    def assertAlike(self, pattern, greatest):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            coarse, fine = self.image(5.0, pattern)[25:75, 25:75], self.image(1.25, pattern)[25:75, 25:75]
+        self.assertGreater(fine.mean(), 0.1)
+        self.assertAlmostEqual(coarse.mean(), fine.mean(), delta=0.02 * fine.mean())
+        self.assertLess(np.abs(coarse - fine).max(), greatest * fine.mean())
+
+    def test_uniform_deck_has_no_holes(self):
+        self.assertAlike(lambda j, i: 1.0, 0.05)
+
+    def test_light_between_points(self):
+        self.assertAlike(lambda j, i: 1.0 * ((i + 2 * j) % 3 == 0), 0.1)
+
+    def test_light_of_a_coarse_mesh_is_told(self):
+        lit = globe(1e-4).nephoscope.sunlight((1, 0, 0))
+        with self.assertWarnsRegex(UserWarning, "at points 10 degrees apart.*at most 1.25"):
+            nephoscope.satellite_image(lit, size=(20, 20))
+
+    def test_columns_follow_the_sphere(self):
+        mesh = globe(1e-4)
+        mesh.point_data["Weighted"] = np.where(mesh.points[:, 0] > 0, 1.0, 3.0)
+        fine = refined(mesh, 4, {"Extinction": None, "Weighted": "Extinction"})
+        radii = np.linalg.norm(mesh.points, axis=1).reshape(mesh.dimensions[::-1])[:, 0, 0]
+        np.testing.assert_allclose(np.linalg.norm(fine.points, axis=1).reshape(fine.dimensions[::-1]), np.broadcast_to(radii[:, None, None], fine.dimensions[::-1]), rtol=1e-6)
+        self.assertEqual(fine.dimensions, (4 * 36 + 1, 4 * 18 + 1, 3))
+        corners = fine.point_data["Weighted"].reshape(fine.dimensions[::-1])[:, ::4, ::4]
+        np.testing.assert_allclose(corners.ravel(), mesh.point_data["Weighted"], rtol=1e-6)
 
 
 class Tone(unittest.TestCase):

@@ -206,10 +206,11 @@ def _set_optics(light: vtkSunlight, albedo: str | float, asymmetry: str | float,
         light.SetAsymmetry(require_number(asymmetry, say("asymmetry"), least=-0.99, most=0.99))
 
 
-def lit(mesh: pyvista.DataSet, sun: Any, needs_cells: bool = True, **defaults: Any) -> pyvista.DataSet:
+def lit(mesh: pyvista.DataSet, sun: Any, needs_cells: bool = True, resolve: Callable[[pyvista.DataSet, list[str]], pyvista.DataSet] | None = None,
+        **defaults: Any) -> pyvista.DataSet:
     """`mesh` with light, computed from a direction, a date and time, or the arguments of `sunlight` and `cloud_optics`; unchanged if it has light and `sun` is True.
 
-    `defaults` are those of `sunlight` that are others for this mesh.
+    `resolve` returns the mesh to light, from one with optics and the names of their arrays. `defaults` are those of `sunlight` that are others for this mesh.
     """
     if sun is True and {"Sunlight", "ScaledExtinction"} <= set(mesh.point_data):
         return mesh
@@ -225,6 +226,8 @@ def lit(mesh: pyvista.DataSet, sun: Any, needs_cells: bool = True, **defaults: A
     own = sun if isinstance(sun, Mapping) else ()
     if any(name in own for name in of_water) or of_light["extinction"] == "Extinction" and not _has(mesh, "Extinction") and not is_smoke(mesh):
         mesh = optics_of(mesh, _option, **of_water)
+    if resolve is not None:
+        mesh = resolve(mesh, [of_light[name] for name in ("extinction", "albedo", "asymmetry") if isinstance(of_light[name], str)])
     return light_of(mesh, _option if isinstance(sun, Mapping) else lambda name: "sun" if name in ("direction", "time") else _option(name), **of_light)
 
 
@@ -300,8 +303,7 @@ def lit_surface(surface: pyvista.PolyData, sun: Any) -> tuple[pyvista.PolyData, 
         return surface, carried
     clear = surface.copy(deep=False)
     clear.clear_data()
-    for name in surface.field_data:
-        clear.field_data[name] = surface.field_data[name]
+    clear.GetFieldData().PassData(surface.GetFieldData())  # PyVista does not take strings that are not ASCII
     clear["NoExtinction"] = np.zeros(surface.n_points)
     clear = lit(clear, sun, needs_cells=False, extinction="NoExtinction", multiple_scattering=False)
     direction = clear.field_data["SunDirection"][0]

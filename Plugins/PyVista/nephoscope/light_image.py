@@ -11,7 +11,7 @@ from typing import Any, Sequence
 import numpy as np
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkPiecewiseFunction, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkImageData, vtkPiecewiseFunction, vtkPointSet, vtkStructuredGrid, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (vtkActor, vtkCamera, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
                                          vtkVolume)
@@ -94,7 +94,7 @@ def _ground_actor(data: vtkDataSet) -> vtkActor:
     radius = planet_radius(data)
     if radius > 0:
         source = vtkSphereSource()
-        source.SetRadius(radius)
+        source.SetRadius(radius * (1 - sag(data)))
         source.SetThetaResolution(720)
         source.SetPhiResolution(360)
     else:
@@ -111,6 +111,26 @@ def _ground_actor(data: vtkDataSet) -> vtkActor:
     actor.GetProperty().LightingOff()
     actor.GetProperty().SetColor(0, 0, 0)
     return actor
+
+
+def sag(data: vtkDataSet) -> float:
+    """How far flat cells lie below the sphere through their corners, at most, as a fraction of its radius: that of the middle of the longest diagonal."""
+    places = vtk_to_numpy(data.GetPoints().GetData()).astype(float) if isinstance(data, vtkPointSet) else np.zeros((0, 3))
+    lengths = np.linalg.norm(places, axis=1)
+    places = np.divide(places, lengths[:, None], out=np.full_like(places, np.nan), where=lengths[:, None] > 0)
+    if isinstance(data, vtkStructuredGrid):
+        size = [0, 0, 0]
+        data.GetDimensions(size)
+        level = places[:size[0] * size[1]].reshape(size[1], size[0], 3)
+        diagonals = np.concatenate([(level[1:, 1:] - level[:-1, :-1]).reshape(-1, 3), (level[1:, :-1] - level[:-1, 1:]).reshape(-1, 3)])
+    elif isinstance(data, vtkUnstructuredGrid) and data.GetNumberOfCells():
+        cells = data.GetCells()
+        starts, corners = vtk_to_numpy(cells.GetOffsetsArray()), places[vtk_to_numpy(cells.GetConnectivityArray())]
+        diagonals = np.maximum.reduceat(corners, starts[:-1]) - np.minimum.reduceat(corners, starts[:-1])
+    else:
+        return 0.0
+    longest = np.nanmax(np.linalg.norm(diagonals, axis=-1), initial=0)
+    return float(1 - np.sqrt(1 - min(longest / 2, 0.8)**2))
 
 
 def _float_image(mapper: Any) -> np.ndarray:

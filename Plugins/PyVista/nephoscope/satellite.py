@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from dataclasses import dataclass
 from typing import Any, Sequence
 
@@ -15,10 +16,13 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from . import light_image, tone
 from ._checks import require_array, require_number
 from ._from_xarray import meshed
+from ._pipeline import level_of_caller
+from ._refined import fitting_factor, refined, step_of
 from ._typing import AnyMesh, Numbers
 from .light import lit
 
 GEOSTATIONARY_RADII = 42164.0 / 6378.137  # distance of the satellite from the centre of the planet
+FINE = 1.25  # degrees between points of a globe on which light is computed
 METRES_PER_DEGREE = 1.1e5  # for drawing a globe as a map, where only heights matter
 
 
@@ -115,7 +119,8 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
         globe becomes a map of equal steps in longitude and latitude. Three numbers: the direction towards a distant satellite. Automatic: geostationary for
         globes, otherwise nadir.
     sun : sequence of 3 float, str, dict or True, optional
-        The sun, as in `add_cells`. The light is computed for this view, unless a dict says otherwise. Default: the light in the mesh.
+        The sun, as in `add_cells`. The light is computed for this view, unless a dict says otherwise; on a structured globe whose points are more than 1.25
+        degrees apart, it is computed on a finer grid, between whose points extinctions are interpolated. Default: the light in the mesh.
     size : sequence of 2 int, default: (800, 800)
         Width and height in pixels.
     longitude : float, optional
@@ -135,6 +140,11 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
         If `mesh` is not a dataset.
     ValueError
         If an argument is out of range, or there is no light.
+
+    Warns
+    -----
+    UserWarning
+        If the points of a globe are too far apart for light between them, and there is no finer grid: light that the mesh has already, no structured grid, or too many points.
     """
     mesh = meshed(mesh)
     if not isinstance(mesh, vtkDataSet):
@@ -192,9 +202,29 @@ def _lit_for(mesh: pyvista.DataSet, sun: Any, eye: dict[str, Any] | None, ground
     if sun is None or sun is True and "Sunlight" in mesh.point_data:
         if not {"Sunlight", "ScaledExtinction", "Irradiance"} <= set(mesh.point_data):
             raise ValueError("mesh has no light: give sun, for example a date and time, or use mesh.nephoscope.sunlight() first.")
+        if light_image.planet_radius(mesh) > 0:
+            _warn_of_steps(mesh)
         return mesh
     options = dict(sun) if isinstance(sun, dict) else {} if sun is True else {"time": sun} if isinstance(sun, str) else {"direction": sun}
-    return lit(mesh, {"ground_albedo": ground_albedo, **(eye or {}), **options})
+    return lit(mesh, {"ground_albedo": ground_albedo, **(eye or {}), **options}, resolve=_resolved)
+
+
+def _resolved(mesh: pyvista.DataSet, names: list[str]) -> pyvista.DataSet:
+    """A coarse globe with more columns, as far as it can have them."""
+    if light_image.planet_radius(mesh) == 0:
+        return mesh
+    if isinstance(mesh, pyvista.StructuredGrid) and names[0] in mesh.point_data:
+        weights = {name: names[0] if name != names[0] else None for name in names if name in mesh.point_data}
+        mesh = refined(mesh, fitting_factor(mesh, FINE), weights)
+    _warn_of_steps(mesh)
+    return mesh
+
+
+def _warn_of_steps(mesh: pyvista.DataSet) -> None:
+    step = step_of(mesh) if isinstance(mesh, pyvista.StructuredGrid) else np.degrees(np.arccos(1 - light_image.sag(mesh))) * 2**0.5
+    if step > 1.3 * FINE:
+        warnings.warn(f"The light was computed at points {step:.2g} degrees apart, which may be a tenth too little where clouds are patchy: steps of at most {FINE:g} degrees resolve it.",
+                      UserWarning, stacklevel=level_of_caller())
 
 
 def _camera_of(mesh: pyvista.DataSet, view: Any, longitude: float | None) -> tuple[vtkCamera | None, dict[str, Any] | None]:
