@@ -254,8 +254,7 @@ def _axes_in_order(mesh: pyvista.DataSet, shape: str) -> pyvista.DataSet:
             order_back = [2 - axis for axis in order[::-1]]
             getattr(turned, kind)[name] = np.ascontiguousarray(values.transpose(order_back + list(range(3, values.ndim)))).reshape(
                 -1, *values.shape[3:])
-    for name, values in grid.field_data.items():
-        turned.field_data[name] = values
+    turned.GetFieldData().PassData(grid.GetFieldData())  # PyVista does not take strings that are not ASCII
     if mesh.active_scalars_name in turned.point_data:
         turned.set_active_scalars(mesh.active_scalars_name)
     return turned

@@ -19,7 +19,8 @@ from .projections import find_lost_projection, mapping_of
 from .reading import KINDS, refuse_empty
 from .roles import ROLES, candidates, quantity_of
 from .times import choose_time, is_member, time_dims
-from .units import UNITS, plain
+from .units import UNITS, in_fractions, plain
+from .vertical import DEPTHS, is_depth
 
 LENGTHS = UNITS["height"][1]
 _USUAL = re.compile(r"([xyz])[a-z]?")  # x, xt, xm, xh, xf, xc, xu, zn: names of centres and of faces
@@ -80,9 +81,10 @@ def _length_of(dataset, dim: str):
     for coordinate in found:
         if _is_length(coordinate) and (letter := _letter(dim, coordinate)):
             return letter, coordinate
-    if (usual := _USUAL.fullmatch(dim.lower())) is None or any(plain(coordinate.attrs.get("units")) for coordinate in found if coordinate.name == dim):
+    usual = "z" if DEPTHS.fullmatch(dim.lower()) else _USUAL.sub(r"\1", dim.lower()) if _USUAL.fullmatch(dim.lower()) else None
+    if usual is None or any(plain(coordinate.attrs.get("units")) for coordinate in found if coordinate.name == dim):
         return None
-    return usual[1], next((coordinate for coordinate in found if coordinate.name == dim), None)
+    return usual, next((coordinate for coordinate in found if coordinate.name == dim), None)
 
 
 def fields_of(dataset) -> list[tuple[str, object]]:
@@ -129,6 +131,8 @@ class Flat:
                 self._warn(f"{dim!r} has {self.dataset.sizes[dim]} entries; the first was taken. Choose one: ds.isel({dim}=0).")
             self.dataset = self.dataset.isel({dim: 0})
         self.dataset = self.dataset.isel({dim: 0 for dim, size in self.dataset.sizes.items() if size == 1 and not _length_of(self.dataset, str(dim))})
+        self.dataset, fractions = in_fractions(self.dataset)
+        self.notes += fractions
         self._asked = {letter: name for letter, name in (names or {}).items() if name is not None}
         dims = self._dims([variables] if isinstance(variables, str) else variables)
         self.axes = {letter: self._axis(letter, *found) for letter, found in dims.items()}
@@ -195,7 +199,8 @@ class Flat:
             raise GridError(f"The coordinate {name!r} is in {units!r}, which is not a length. Give it in metres: ds[{name!r}].attrs['units'] = 'm', after converting the values.")
         note = "" if plain(units) else f"{name!r} has no units: its values are taken as metres"
         values = values * LENGTHS.get(plain(units), 1)
-        values = -values if letter == "z" and coordinate.attrs.get("positive") == "down" else values
+        down = letter == "z" and (coordinate.attrs.get("positive") == "down" or np.min(values, initial=0) >= 0 and (coordinate.attrs.get("standard_name") == "depth" or is_depth(self.dataset, coordinate)))
+        values = -values if down else values
         values, order = np.unique(values, return_index=True)
         if len(order) < coordinate.size:
             self._warn(f"The coordinate {name!r} repeats values: each is used once, with the first of its entries, and {coordinate.size - len(order)} are left out.")

@@ -8,6 +8,7 @@ import warnings
 
 import numpy as np
 import pyvista
+from vtkmodules.vtkCommonCore import vtkStringArray
 
 from .._fields import FLAT_GRID
 from .._pipeline import level_of_caller
@@ -43,7 +44,16 @@ def mark_air(mesh: pyvista.DataSet, *found: dict[str, str]) -> None:
     for role in AIR:
         names = [roles[role] for roles in found if roles.get(role) in mesh.point_data]
         if names:
-            mesh.field_data[_key(role)] = names
+            _add_strings(mesh, _key(role), names)
+
+
+def _add_strings(mesh: pyvista.DataSet, name: str, texts: list[str]) -> None:
+    """As ``mesh.field_data[name] = texts``, also with letters that are not ASCII, which PyVista refuses."""
+    array = vtkStringArray()
+    array.SetName(name)
+    for text in texts:
+        array.InsertNextValue(text)
+    mesh.GetFieldData().AddArray(array)
 
 
 def _key(role: str) -> str:

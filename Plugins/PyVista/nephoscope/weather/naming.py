@@ -10,6 +10,7 @@ from .._checks import listed
 from .derived import QUANTITIES
 from .reading import KINDS, Reading
 from .roles import ROLES
+from .units import simple
 
 UNITS = {"potential_temperature": "K", "equivalent_potential_temperature": "K", "wind_speed": "m s-1", "wind_magnitude": "m s-1", "vorticity": "s-1", "cloud_content": "kg m-3", "water_vapour": "kg m-3"}
 LONGEST = 40  # letters of a title; longer names are descriptions
@@ -51,7 +52,9 @@ def title(dataset, grid, name: str) -> str:
     """The title of a scalar bar, such as "Temperature [K]"."""
     attrs = dataset.variables[name].attrs if name in dataset.variables else {}
     text = next(text for text in (*(str(attrs.get(key, "")) for key in ("long_name", "standard_name")), name) if 0 < len(text) <= LONGEST or text == name)
-    units = str(grid.field_data[f"{name}_units"][0]) if f"{name}_units" in grid.field_data else str(attrs.get("units", UNITS.get(name, "")))
+    told = str(attrs.get("units", UNITS.get(name, "")))
+    units = str(grid.field_data[f"{name}_units"][0]) if f"{name}_units" in grid.field_data else told
+    units = told if units == simple(told) else units  # those of the file may have signs that are not ASCII
     text = text.replace("_", " ") if attrs.get("standard_name") == text or name in UNITS else text
     text = text[:1].upper() + text[1:] if text != name or name in UNITS else text
     return text if units.strip().lower() in UNITLESS else f"{text} [{units}]"

@@ -17,6 +17,7 @@ from .air import Air
 from .horizontal import GridError
 from .look import note_look
 from .reading import Reading
+from .units import simple
 from .winds import winds
 
 NEAR = 1.0  # m: points that much below the ground are on it, such as a level at the ground
@@ -203,7 +204,7 @@ def add(mesh: pyvista.DataSet, name: str, values: np.ndarray, order: np.ndarray)
 
 def note_units(mesh: pyvista.DataSet, name: str, units) -> None:
     if units is not None:
-        mesh.field_data[f"{name}_units"] = [str(units)]
+        mesh.field_data[f"{name}_units"] = [simple(units)]
 
 
 def _add_winds(mesh: pyvista.DataSet, reading: Reading, air: Air, order: np.ndarray) -> list[str]:

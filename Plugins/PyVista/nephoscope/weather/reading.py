@@ -16,7 +16,7 @@ from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import to_centres
 from .times import choose_time, is_member, time_dims
-from .units import converted
+from .units import converted, in_fractions
 from .vertical import VerticalError, find_vertical, level_values, pressure_of_level
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
@@ -49,7 +49,8 @@ class Reading:
         refuse_empty(dataset)
         self.times = time_dims(dataset)
         self.dataset, self.time_text = choose_time(dataset, self.times, time)
-        self.dataset = prepared(self._one_member(self._without_single(self.dataset)))
+        self.dataset, fractions = in_fractions(prepared(self._one_member(self._without_single(self.dataset))))
+        self.notes += fractions
         self._helpers = helpers(self.dataset)
         self._asked = {role: name for role, name in (names or {}).items() if name is not None}
         self._check_asked()

@@ -14,6 +14,9 @@ from .units import UNITS, converted, knows, plain
 OCEAN = ("ocean_sigma_coordinate", "ocean_s_coordinate_g1", "ocean_s_coordinate_g2")
 _NAMES = ("lev", "level", "levels", "plev", "pressure", "pressure_level", "model_level", "model_level_number", "bottom_top", "bottom_top_stag", "hybrid", "z", "height", "altitude",
           "isobaric", "height_2", "nvertlevels", "nvertlevelsp1", "depth", "sigma", "ilev", "lev_2", "lv_isbl0", "level_pressure", "height_above_ground", "generalverticallayer", "levels_number")
+DEPTHS = re.compile(r"depths?(_?[tuvw])?(_\d+)?|dep|depth_(below_sea|of_level)|s[tw](_edges)?_ocean|olevel|nav_lev|gdep[tw](_\w+)?|elevation_below_sea_level")  # names of axes that point downwards
+_SEA = re.compile(r"sea_water|^ocean_|sea_ice")  # standard names of fields of an ocean
+SEA_PRESSURES = ("sea_water_pressure", "sea_water_pressure_due_to_sea_water")
 _GRIB_KINDS = {"isobaricInhPa": "pressure", "isobaricInPa": "pressure", "hybrid": "hybrid", "sigma": "sigma", "heightAboveSea": "height", "heightAboveGround": "height above ground",
                "generalVerticalLayer": "levels", "generalVertical": "levels", "hybridLayer": "hybrid", "hybridHeight": "hybrid height",
                "hybridPressure": "hybrid"}
@@ -54,7 +57,7 @@ def _score(dataset, dim: str) -> int | None:
         return 1
     if any(plain(variable.attrs.get("units")) in UNITS["pressure"][1] for variable in variables if variable.name == dim or variable.name in dataset.coords):
         return 2
-    return 3 if str(dim).lower() in _NAMES or _is_sigma(dataset, dim) or re.fullmatch(r"(height|lev|level|plev|isobaric|z|lv_\w+)_?\d*", str(dim).lower()) else None
+    return 3 if str(dim).lower() in _NAMES or DEPTHS.fullmatch(str(dim).lower()) or re.fullmatch(r"z_[twli](_top|_bot|_\d+m)?", str(dim).lower()) or _is_sigma(dataset, dim) or re.fullmatch(r"(height|lev|level|plev|isobaric|z|lv_\w+)_?\d*", str(dim).lower()) else None
 
 
 def _coordinates(dataset, dim: str):
@@ -73,7 +76,7 @@ def _judged(dataset, dim: str) -> Vertical:
     if (hybrid := _by_coefficients(dataset, dim)) is not None:  # also if the axis has units of pressure, as CESM's
         return hybrid
     for variable in _coordinates(dataset, dim):
-        kind = _kind(variable)
+        kind = _kind(dataset, variable)
         if kind:
             return Vertical(dim, kind, str(variable.name))
     if _is_sigma(dataset, dim):
@@ -98,10 +101,31 @@ def _counts(variable) -> bool:
     return "generalized" in str(variable.attrs.get("long_name", "")) or bool(whole and not plain(variable.attrs.get("units")))
 
 
-def _kind(variable) -> str | None:
+def is_sea_pressure(variable) -> bool:
+    """Pressures in decibars are those of an ocean, where 1 dbar is a depth of about 1 m."""
+    units = plain(variable.attrs.get("units"))
+    return variable.attrs.get("standard_name") in SEA_PRESSURES and knows(units, "pressure") or units in ("dbar", "dbars", "decibar", "decibars")
+
+
+def is_depth(dataset, variable) -> bool:
+    """Lengths that are counted downwards without the attribute positive: by their name or by what is on them, if none is negative."""
+    units, dims = plain(variable.attrs.get("units")), set(variable.dims)
+    if variable.attrs.get("positive") == "up" or units and not knows(units, "height") or not np.min(variable.values, initial=0) >= 0:
+        return False
+    if DEPTHS.fullmatch(str(variable.name).lower()) or units and re.search(r"\bdepth\b", str(variable.attrs.get("long_name", "")).lower()):
+        return True
+    if str(variable.name).lower().startswith(("z_t", "z_w")) and units.startswith(("cm", "centim")):  # the Parallel Ocean Program
+        return True
+    of_sea = any(dims <= set(field.dims) and _SEA.search(str(field.attrs.get("standard_name", ""))) for field in dataset.data_vars.values())
+    return bool(units and of_sea and dims)
+
+
+def _kind(dataset, variable) -> str | None:
     standard, units = variable.attrs.get("standard_name", ""), variable.attrs.get("units")
     if _counts(variable) or _is_reference(variable):
         return None
+    if is_sea_pressure(variable) or is_depth(dataset, variable):
+        return "depth"
     if standard == "air_pressure" or (units is not None and plain(units) and knows(units, "pressure")):
         return "pressure"
     if standard == "depth" or (variable.attrs.get("positive") == "down" and units is not None and plain(units) and knows(units, "height")):
@@ -167,9 +191,22 @@ def level_values(dataset, vertical: Vertical) -> np.ndarray:
     if quantity is None:
         return values
     units = variable.attrs.get("units") or vertical.units or {"isobaricInhPa": "hPa", "isobaricInPa": "Pa"}.get(vertical.dim)
+    if vertical.kind == "depth" and is_sea_pressure(variable):
+        _note_once(vertical, f"{vertical.name!r}: depths from the pressure of sea water ({units}, without that of the air), as at a latitude of 45 degrees")
+        return -depth_of_sea_pressure(converted(values, units, "pressure", vertical.name)[0] / 1e4)
     found, note = converted(values, units, quantity, vertical.name)
-    vertical.notes += [note] if note else []
+    _note_once(vertical, note)
     return -found if vertical.kind == "depth" and np.nanmax(found) > 0 else found
+
+
+def depth_of_sea_pressure(pressure: np.ndarray) -> np.ndarray:
+    """Metres, of the pressure of sea water in dbar without that of the air, at a latitude of 45 degrees (Fofonoff and Millard 1983, UNESCO Technical Papers in Marine Science 44)."""
+    gravity = 9.780318 * (1 + (5.2788e-3 + 2.36e-5 * 0.5) * 0.5) + 1.092e-6 * pressure
+    return (((-1.82e-15 * pressure + 2.279e-10) * pressure - 2.2512e-5) * pressure + 9.72659) * pressure / gravity
+
+
+def _note_once(vertical: Vertical, note: str) -> None:
+    vertical.notes += [note] if note and note not in vertical.notes else []
 
 
 def pressure_of_level(dataset) -> float | None:

@@ -1,0 +1,153 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Units as files have them: signs that are not ASCII, oktas and tenths, levels of an ocean that are counted downwards, and pressures of sea water."""
+import os
+import unittest
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+import xarray as xr
+from nephoscope.light import lit_surface
+from nephoscope.weather.units import converted, plain, simple
+from nephoscope.weather.vertical import depth_of_sea_pressure
+
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
+LONGITUDE = ("longitude", np.arange(0, 41, 5.0), {"units": "degrees_east"})
+LATITUDE = ("latitude", np.arange(60, 29, -5.0), {"units": "degrees_north"})
+PRESSURES = ("level", np.array([1000.0, 850, 500]), {"units": "hPa"})
+RANDOM = np.random.default_rng(0).random((3, 7, 9))
+
+
+def weather(name, values=RANDOM, level=PRESSURES, **attributes):
+    dim = level[0]
+    return xr.Dataset({name: ((dim, "latitude", "longitude"), values, attributes)}, {dim: level, "latitude": LATITUDE, "longitude": LONGITUDE})
+
+
+def flat(name, z=("z", np.arange(0, 3000, 1000.0), {"units": "m"}), **attributes):
+    metres = {"units": "m"}
+    dim = z[0]
+    return xr.Dataset({name: ((dim, "y", "x"), RANDOM, attributes)}, {dim: z, "y": ("y", 100 * np.arange(7.0), metres), "x": ("x", 100 * np.arange(9.0), metres)})
+
+
+def sea(name, values, **attributes):
+    """Water that is the warmer the higher it is, or as deep as its values say."""
+    water = np.broadcast_to(np.arange(len(values), 0, -1.0)[:, None, None], (len(values), 7, 9))
+    standard = attributes.pop("field", "sea_water_potential_temperature")
+    return weather("thetao", water, (name, np.array(values, float), attributes), units="degC", **({"standard_name": standard} if standard else {}))
+
+
+class Signs(unittest.TestCase):
+    def test_in_ascii(self):
+        for text, expected in (("°C", "degC"), ("µg m-3", "ug m-3"), ("\u03bcg m\u207b\u00b3", "ug m-3"), ("W/m²", "W/m2"), ("\u2103", "degC"), ("m·s⁻¹", "m.s-1"), ("kg m\u2212\u00b2", "kg m-2"),
+                               ("Å", "A"), ("K", "K"), ("雨", "?")):
+            self.assertEqual(simple(text), expected)
+
+    def test_conversions_know_them(self):
+        for units, quantity, value in (("°C", "temperature", 274.15), ("\u2103", "temperature", 274.15), ("m s⁻¹", "speed", 1), ("m²/s²", "geopotential", 1), ("kg\u00b7kg\u207b\u00b9", "mass fraction", 1)):
+            self.assertAlmostEqual(float(converted(np.array([1.0]), units, quantity, "a")[0][0]), value)
+        self.assertEqual(plain("W m⁻²"), "wm-2")
+
+    def test_drawn_and_told(self):
+        for made in (weather, flat):
+            for name, attributes in (("t", {"units": "°C", "standard_name": "air_temperature"}), ("pm2p5", {"units": "µg m-3", "long_name": "Particules d'été"}), ("Température", {"units": "W/m²"})):
+                data = made(name, **attributes)
+                plotter = data.nephoscope.plot(name, screenshot=OUTPUT / "TestWeatherUnits.png", window_size=(200, 200))
+                bar = next(iter(plotter.scalar_bars.values()))
+                self.assertIn(f"[{attributes['units']}]", bar.GetTitle().replace("\n", " "))
+                self.assertIn(f"({attributes['units']})" if made is flat or name == "t" else "grid", data.nephoscope.describe())
+                self.assertTrue(str(data.nephoscope.mesh().field_data[f"{name}_units"][0]).isascii())
+                plotter.close()
+
+    def test_profiles_of_a_flat_grid(self):
+        data = flat("qc", units="kg/kg").assign({"Température": ("z", np.array([290.0, 280, 270]), {"units": "°C", "standard_name": "air_temperature"})})
+        self.assertIn("Température", data.nephoscope.mesh().array_names)
+
+    def test_field_data_of_other_readers(self):
+        """VTK's reader passes units as they are."""
+        surface = pyvista.Plane()
+        noted = flat("a").nephoscope.mesh()
+        from vtkmodules.vtkCommonCore import vtkStringArray
+        units = vtkStringArray()
+        units.SetName("a_units")
+        units.InsertNextValue("µg m⁻³")
+        surface.GetFieldData().AddArray(units)
+        self.assertEqual(lit_surface(surface, (0, 0, 1))[0].field_data["a_units"][0], "µg m⁻³")
+        self.assertNotIn("a_units", noted.field_data)
+
+
+class Parts(unittest.TestCase):
+    def test_cloud_amounts_are_fractions(self):
+        for units, most in (("okta", 8), ("oktas", 8), ("1/8", 8), ("tenths", 10)):
+            for made in (lambda **kind: weather("cc", np.full((3, 7, 9), float(most)), **kind), lambda **kind: flat("cc", **kind) * 0 + most):
+                data = made(units=units, standard_name="cloud_area_fraction_in_atmosphere_layer")
+                data["cc"].attrs.update(units=units, standard_name="cloud_area_fraction_in_atmosphere_layer")
+                mesh = data.nephoscope.mesh()
+                np.testing.assert_allclose(mesh["cc"], 1)
+                self.assertEqual(mesh.field_data["cc_units"][0], "1")
+                self.assertIn(f"'cc': {units} converted to fractions of 1", data.nephoscope.describe())
+        plotter = weather("cc", 8 * RANDOM, units="okta", standard_name="cloud_area_fraction_in_atmosphere_layer").nephoscope.plot(screenshot=OUTPUT / "TestWeatherUnits.png", window_size=(200, 200))
+        self.assertEqual(next(iter(plotter.scalar_bars.values())).GetTitle().count("okta"), 0)
+        plotter.close()
+
+    def test_series(self):
+        data = xr.concat([weather("cc", np.full((3, 7, 9), value), units="okta") for value in (8.0, 4.0)], "time").assign_coords(time=[0, 1])
+        series = data.nephoscope.series()
+        self.assertEqual(series.range("cc"), (0.5, 1.0))
+        series.close()
+
+    def test_decametres_and_miles(self):
+        heights = np.array([10.0, 150, 550])[:, None, None] * np.ones((3, 7, 9))
+        for name, units in (("z", "dam"), ("z", "gpdm"), ("gh", "dam")):
+            mesh = weather(name, heights, units=units).nephoscope.globe()
+            self.assertAlmostEqual(float(mesh["Height"].max()), 5505, delta=2)
+        winds = weather("u", np.full((3, 7, 9), 10.0), units="mph", standard_name="eastward_wind")
+        winds["v"] = winds["u"] * 0
+        winds["v"].attrs.update(units="mph", standard_name="northward_wind")
+        np.testing.assert_allclose(np.linalg.norm(winds.nephoscope.globe()["Wind"], axis=1), 4.4704, rtol=1e-5)
+
+
+class Sea(unittest.TestCase):
+    def ends(self, data):
+        """Heights of the first and the last level of the file."""
+        mesh = data.nephoscope.mesh(vertical_exaggeration=1)
+        heights = mesh["Height"] if "Height" in mesh.point_data else mesh.points[:, 2]
+        return tuple(float(heights[np.argmax(order)]) for order in (mesh["thetao"], -mesh["thetao"]))
+
+    def test_depths_without_a_direction(self):
+        for name, values, attributes in (
+                ("depth", (5, 100, 4000), {"units": "m"}), ("depth", (5, 100, 4000), {}), ("deptht", (5, 100, 4000), {"units": "m"}), ("z_t", (500, 10000, 400000), {"units": "centimeters"}),
+                ("st_ocean", (5, 100, 4000), {"units": "meters"}), ("lev", (5, 100, 4000), {"units": "m", "standard_name": "depth"}), ("lev", (5, 100, 4000), {"units": "m"}),
+                ("z", (5, 100, 4000), {"units": "m", "long_name": "depth of the level", "field": None}), ("level", (5, 100, 4000), {"units": "m", "field": "northward_sea_water_velocity"}),
+                ("depth", (5, 100, 4000), {"units": "m", "positive": "down", "field": None}), ("depth", (-5, -100, -4000), {"units": "m", "positive": "up"}), ("depth", (-5, -100, -4000), {"units": "m"})):
+            with self.subTest(name, **attributes):
+                first, last = self.ends(sea(name, values, **attributes))
+                self.assertAlmostEqual(first, -5, places=3)
+                self.assertAlmostEqual(last, -4000, places=1)
+        self.assertIn("'depth' has no units and is used as m", sea("depth", (5, 100, 4000)).nephoscope.describe())
+
+    def test_heights_stay(self):
+        for name, attributes in (("z", {}), ("height", {}), ("z_t", {}), ("depth", {"positive": "up"}), ("lev", {"positive": "up", "field": "sea_water_salinity"})):
+            self.assertGreater(self.ends(sea(name, (5, 100, 4000), **{"units": "m", "field": None, **attributes}))[1], 3999)
+
+    def test_pressure_of_sea_water(self):
+        self.assertAlmostEqual(float(depth_of_sea_pressure(np.array(10000.0))), 9712.653, delta=14)  # UNESCO's check value, at 30 degrees
+        self.assertAlmostEqual(float(depth_of_sea_pressure(np.array(10.0))), 9.92, delta=0.01)
+        for name, units, scale, attributes in (("PRES", "dbar", 1, {"standard_name": "sea_water_pressure"}), ("pressure", "decibar", 1, {"field": None}),
+                                               ("lev", "Pa", 1e4, {"standard_name": "sea_water_pressure"}), ("PRES", "dbar", 1, {"standard_name": "sea_water_pressure", "axis": "Z", "positive": "down"})):
+            data = sea(name, scale * np.array([5.0, 100, 2000]), units=units, **attributes)
+            first, last = self.ends(data)
+            self.assertAlmostEqual(first, -4.96, delta=0.01)
+            self.assertAlmostEqual(last, -1974, delta=1)
+            self.assertIn("depths from the pressure of sea water", data.nephoscope.describe())
+
+    def test_flat(self):
+        for attributes in ({"units": "m"}, {"units": "m", "positive": "down"}, {}):
+            data = flat("a", ("depth", np.array([5.0, 100, 4000]), attributes))
+            self.assertEqual(data.nephoscope.mesh().bounds[4:], (-4000, -5))
+        self.assertEqual(flat("a").nephoscope.mesh().bounds[4:], (0, 2000))
+
+
+if __name__ == "__main__":
+    unittest.main()
