@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import math
 import warnings
-from typing import Callable, Mapping, Sequence
+from typing import Any, Callable, Mapping, Sequence
 
+import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
 
@@ -69,6 +70,19 @@ def renamed_argument(value: float | None, name: str, old_value: float | None, ol
         raise ValueError(f"{name} and {old_name} are both given; {old_name} is the old name of {name}.")
     warnings.warn(f"{old_name} is now called {name}, as in pyvista.Plotter.add_volume.", DeprecationWarning, stacklevel=3)
     return old_value
+
+
+def as_array(values: Any) -> np.ndarray:
+    """`values` as an array that VTK can hold: masked values are NaN, and numbers of 16 or more than 64 bits become those of 32 or 64."""
+    if isinstance(values, np.ma.MaskedArray):
+        masked = np.ma.getmaskarray(values)
+        values = np.asarray(values.data)
+        if masked.any() and values.dtype.kind in "biuf":
+            values = np.where(masked, np.nan, values if values.dtype.kind == "f" else values.astype(float))
+    values = np.asarray(values)
+    if values.dtype.kind == "f" and values.dtype.itemsize not in (4, 8):
+        return values.astype(np.float32 if values.dtype.itemsize < 4 else np.float64)
+    return values
 
 
 def require_number(value: float, argument: str, *, above: float | None = None, least: float | None = None,

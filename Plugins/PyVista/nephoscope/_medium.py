@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid,
 from vtkmodules.vtkRenderingCore import vtkActor, vtkVolume, vtkVolumeProperty
 
 from ._blocks import alike, cell_dimension, fitting, named_blocks
-from ._checks import arrays_of, listed, require_number
+from ._checks import arrays_of, as_array, listed, require_number
 from ._copies import MediumVolume
 from ._exports import warn_when_exported
 from ._fields import find_preset, is_bright, is_helper, presets
@@ -40,6 +40,8 @@ def wrapped(data: Any, merge_points: bool, arrays: Mapping[str, Any] | None = No
     With `arrays` (argument: name), only blocks that fit are used; see `fitting`.
     """
     data = meshed(data)
+    if isinstance(data, np.ndarray) and not isinstance(data, pyvista.pyvista_ndarray):
+        data = as_array(data)
     if isinstance(data, (vtkCompositeDataSet, vtkHyperTreeGrid)):
         blocks = [(name, block) for name, block in named_blocks(data) if block.n_points]
         used = [block for _, block in blocks] if arrays is None else fitting(blocks, arrays, points_fit=not merge_points)
@@ -131,7 +133,7 @@ def array_values(grid: pyvista.DataSet, name: str, association: str) -> np.ndarr
 
 def _with_values(grid: pyvista.DataSet, values: Any, preference: str) -> tuple[pyvista.DataSet, str, str]:
     """A shallow copy of the grid with `values` as the array "Data"."""
-    values = np.asarray(values)
+    values = as_array(values)
     counts = {"point": grid.n_points, "cell": grid.n_cells}
     fitting = [kind for kind, count in counts.items() if len(np.atleast_1d(values)) == count]
     if not fitting:

@@ -12,7 +12,8 @@ import pyvista
 from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumeProperty
 
-from ._checks import arrays_of, choose, require_number
+from ._checks import arrays_of, as_array, choose, require_number
+from ._over_time import values_over_time
 from ._pipeline import level_of_caller
 from ._typing import Numbers
 from .transfer import colour_function
@@ -128,7 +129,7 @@ class Contours:
                 raise ValueError(f"contours is {self.values}; a number of contours must be 1 or more.")
             return list(np.linspace(*self._range(grid, array_name), self.values + 2)[1:-1])
         try:
-            values = np.atleast_1d(np.asarray(self.values))
+            values = np.atleast_1d(as_array(self.values))
             values = values.astype(float) if values.dtype.kind in "iuf" else np.array([np.nan])
         except ValueError:  # lists of different lengths
             values = np.array([np.nan])
@@ -141,7 +142,7 @@ class Contours:
         return [float(v) for v in values]
 
     def _range(self, grid: pyvista.DataSet, array_name: str) -> tuple[float, float]:
-        scalars = np.asarray(grid.point_data[self.scalars or array_name], float)
+        scalars = np.asarray(values_over_time(grid, self.scalars or array_name, "point"), float)  # a surface may come later
         scalars = scalars[np.isfinite(scalars)]
         return float(scalars.min(initial=np.inf)), float(scalars.max(initial=-np.inf))
 

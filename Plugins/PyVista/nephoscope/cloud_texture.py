@@ -15,7 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCloudTextureMapper
 from ._blocks import cell_dimension, named_blocks
-from ._checks import arrays_of, choose, listed, require_number
+from ._checks import arrays_of, as_array, choose, listed, require_number
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
 from ._fields import is_bright, presets
@@ -233,6 +233,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     mapper.SetFirstCoordinatesName(coordinates[0])
     mapper.SetSecondCoordinatesName(coordinates[1])
     peels = int(require_number(peels, "peels", least=0))
+    if scalars is not None and not isinstance(scalars, str):
+        scalars = as_array(scalars)
     if scalars is None:
         options["color"] = _default_color(plotter) if color is None else color
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
@@ -287,7 +289,7 @@ def _set_waves(mapper: CloudTextureMapper, waves: Any) -> None:
         choose({"clouds": mapper.SetWavesToClouds, "paper": mapper.SetWavesToPaper, "printed": mapper.SetWavesToPrinted,
                 "gardner": mapper.SetWavesToGardner}, waves.lower(), "waves")
         return
-    table = np.asarray(waves, dtype=float)
+    table = as_array(waves).astype(float)
     if table.ndim != 2 or table.shape[1] != 9 or not 1 <= len(table) <= 16 or not np.isfinite(table).all():
         raise ValueError(f"waves has the shape {table.shape}; it must be 1 to 16 rows of 9 finite numbers, or the name of a preset.")
     mapper.SetWavesToCustom()

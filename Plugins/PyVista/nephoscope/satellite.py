@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkStructuredGrid
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from . import light_image, tone
-from ._checks import require_array, require_number
+from ._checks import as_array, require_array, require_number
 from ._from_xarray import meshed
 from ._pipeline import level_of_caller
 from ._refined import fitting_factor, refined, step_of
@@ -151,7 +151,7 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
     if len(size) != 2 or min(size) < 1:
         raise ValueError(f"size is {size!r}; it must be width and height in pixels.")
-    albedo = np.asarray(ground_albedo, float)
+    albedo = as_array(ground_albedo).astype(float)
     if albedo.ndim not in (0, 2) or not np.all((albedo >= 0) & (albedo <= 1)):
         raise ValueError("ground_albedo must be a number or a 2-D array of numbers from 0 to 1.")
     on_globe = light_image.planet_radius(mesh) > 0

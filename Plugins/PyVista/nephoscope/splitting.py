@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import vtkContourCellSplitter
 from ._blocks import named_blocks
-from ._checks import arrays_of, choose
+from ._checks import arrays_of, as_array, choose
 from ._medium import array_values, default_scalars, require_scalars
 from ._pipeline import set_input, vtk_messages
 from ._typing import Numbers
@@ -138,7 +138,7 @@ def _values(array: np.ndarray, isosurfaces: int | float | Numbers, rng: Numbers 
                 return np.linspace(*rng, isosurfaces + 2)[1:-1]
         values = np.linspace(rng[0], rng[1], isosurfaces)
     else:
-        values = np.atleast_1d(np.asarray(isosurfaces, float))
+        values = np.atleast_1d(as_array(isosurfaces).astype(float))
     if values.ndim != 1 or not np.isfinite(values).all():
         raise ValueError(f"isosurfaces is {isosurfaces!r} and rng {rng!r}; the values must be finite numbers.")
     return values

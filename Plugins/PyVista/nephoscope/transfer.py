@@ -15,7 +15,7 @@ import pyvista
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
-from ._checks import listed
+from ._checks import as_array, listed
 from ._typing import Numbers
 
 SAMPLES = 256            # of a curve that is not defined by points
@@ -52,7 +52,7 @@ def opacity_values(opacity: OpacityLike, n_colors: int = SAMPLES) -> np.ndarray:
     """
     if isinstance(opacity, str):
         return _named_opacity(opacity, n_colors)
-    values = np.atleast_1d(np.asarray(opacity))
+    values = np.atleast_1d(as_array(opacity))
     values = values / 255.0 if values.dtype == np.uint8 else values.astype(float)
     if values.ndim != 1 or values.size == 0:
         raise ValueError(f"opacity has shape {values.shape}; it must be one value or a list of values.")

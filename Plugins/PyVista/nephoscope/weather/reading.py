@@ -30,7 +30,7 @@ def _numbers(values: np.ndarray) -> np.ndarray:
     values = np.asarray(values)
     if values.dtype.kind == "m":
         return np.where(np.isnat(values), np.nan, values / np.timedelta64(1, "s"))
-    return values if values.dtype.kind == "f" else values.astype(np.float32)
+    return values if values.dtype.kind == "f" and values.dtype.itemsize >= 4 else values.astype(np.float32)
 
 
 def refuse_empty(dataset) -> None:
