@@ -1,9 +1,12 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.animate: what it draws is the same function of the values in all steps."""
+import tempfile
 import unittest
 import warnings
 from datetime import datetime
+from pathlib import Path
+from unittest import mock
 
 import nephoscope
 import numpy as np
@@ -263,6 +266,35 @@ class Messages(Animation):
                 (TypeError, "vertical_exaggeration: the meshes exist already", meshes, {"vertical_exaggeration": 3})):
             with self.subTest(words), self.assertRaisesRegex(error, words):
                 nephoscope.animate(self.plotter, dataset, "T", **options)
+
+    def test_contours_of_a_later_step(self):
+        """There is no warning if a later step has them, and there is one if no step has."""
+        def grown(value):
+            mesh = whirl(1)
+            mesh["T"] = value * np.abs(mesh["T"])
+            return mesh
+        meshes = [grown(0.0), grown(1.0)]
+        for contours, told in (([2.0], 0), ([50.0], 1), (3, 0)):
+            with warnings.catch_warnings(record=True) as found:
+                warnings.simplefilter("always")
+                drawn = []
+                nephoscope.animate(self.plotter, meshes, lambda plotter, mesh: drawn.append(nephoscope.add_cells(plotter, mesh, "T", contours=contours)))
+            self.assertEqual(sum("no value is within the range" in str(one.message) for one in found), told)
+        self.assertEqual([drawn[0].mapper.GetContourValue(i) for i in range(3)], [1, 2, 3])
+
+    def test_program_of_imageio(self):
+        """A film is made by the program of imageio-ffmpeg where there is none on the path."""
+        with tempfile.TemporaryDirectory() as folder:
+            program, film = Path(folder, "program of imageio"), Path(folder, "a.mp4")
+            program.write_text('#!/bin/sh\nfor last in "$@"; do :; done; echo "$@" > "$last"\n')
+            program.chmod(0o755)
+            package = mock.Mock(get_ffmpeg_exe=lambda: str(program))
+            with mock.patch("shutil.which", return_value=None), mock.patch.dict("sys.modules", imageio_ffmpeg=package):
+                nephoscope.animate(self.plotter, [whirl(1), whirl(2)], "T", filename=film, progress=False)
+            self.assertIn("-framerate 8", film.read_text())
+            for missing in (None, mock.Mock(get_ffmpeg_exe=mock.Mock(side_effect=RuntimeError))):
+                with mock.patch("shutil.which", return_value=None), mock.patch.dict("sys.modules", imageio_ffmpeg=missing), self.assertRaisesRegex(RuntimeError, "Install it, or the Python package imageio-ffmpeg"):
+                    nephoscope.animate(self.new_plotter(), [whirl(1), whirl(2)], "T", filename=film, progress=False)
 
     def test_times_are_sorted(self):
         """Numbers and dates, with their meshes; words stay as they are."""

@@ -225,7 +225,7 @@ class WeatherAccessor:
         return terrain_surface(ground_mesh(reading, air), "orog", **rest)
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float | None = None,
-             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] = (800, 800), **options: Any) -> pyvista.Plotter:
+             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] = (800, 800), view: Any = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
         With ``projection="map"`` the picture is a map, seen from above with north up. Data whose x and y are lengths are drawn flat; see `grid`.
@@ -245,6 +245,9 @@ class WeatherAccessor:
             As in `nephoscope.add_cells`.
         window_size : sequence of 2 int, default: (800, 800)
             Width and height of the picture in pixels.
+        view : sequence of 2 float, str or sequence, optional
+            What the camera looks at. On a globe the longitude and latitude (degrees) that are seen from straight above, ``view=(100, 30)``. Everywhere a camera position of PyVista:
+            ``"xy"``, or position, focal point and upward direction. Default: the middle of the data; of data all round the globe the side on which the field has most, if there is one. Maps are seen from above.
         **options
             Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
             ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``
@@ -253,38 +256,38 @@ class WeatherAccessor:
         Returns
         -------
         pyvista.Plotter
-            The plotter, after it has been shown.
+            The plotter, after it has been shown. After ``screenshot`` it can draw further pictures: set ``plotter.camera_position``, and call ``plotter.screenshot("other.png")``.
         """
         from .naming import refuse_unknown, title
         from .picture import plotted
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
         if self._is_flat(options):
-            return self._plotted_flat(scalars, screenshot, window_size, look, {"time": time, "vertical_exaggeration": 1.0 if vertical_exaggeration is None else vertical_exaggeration, **options})
-        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", *LOOK_OF_PLOT))
+            return self._plotted_flat(scalars, screenshot, window_size, view, look, {"time": time, "vertical_exaggeration": 1.0 if vertical_exaggeration is None else vertical_exaggeration, **options})
+        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", *LOOK_OF_PLOT))
         found, of_field = self._of_field(scalars, time, options)
         lit = "sun" in look  # needs all water and the air
         grid = self.globe(time=time, vertical_exaggeration=30.0 if vertical_exaggeration is None else vertical_exaggeration, **(options if lit else of_field))
         if lit:
             from .in_the_sun import sun_of
             look["sun"], found = sun_of(look["sun"], self._understood(0 if time is None else time, options.get("vertical"), _options(options)[0])[0], grid), None
-        return plotted(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size)
+        return plotted(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size, view)
 
     def _is_flat(self, options: dict[str, Any]) -> bool:
         from .flat import is_flat
         return bool({"x", "y", "z"} & set(options)) or is_flat(self._dataset)
 
-    def _plotted_flat(self, scalars: str | None, screenshot: str | None, window_size: Sequence[int], look: dict[str, Any], options: dict[str, Any]) -> pyvista.Plotter:
+    def _plotted_flat(self, scalars: str | None, screenshot: str | None, window_size: Sequence[int], view: Any, look: dict[str, Any], options: dict[str, Any]) -> pyvista.Plotter:
         from .flat_picture import plotted_flat
         from .naming import title
         unknown = [name for name in options if name not in FLAT]
         if unknown:
-            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, window_size, "
+            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, view, window_size, "
                             f"{', '.join(LOOK_OF_PLOT)}.")
         found, of_field = self._of_field(scalars, None, options)
         lit = "sun" in look  # needs all water and the air
         grid = self.grid(**(options if lit else of_field))
-        return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size)
+        return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size, view)
 
     def _flat_column(self, quantity: str, time: Any, options: dict[str, Any]) -> pyvista.DataSet:
         from .flat import Flat

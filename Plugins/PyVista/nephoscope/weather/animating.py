@@ -50,7 +50,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         you give limits with ``clim``. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`, whose streaks move from step to step, also on meshes that
         stay the same: the fastest by at most their distance in a second of the film, or as their ``true_speed`` says. A ``phase`` or ``film_time`` that you set stays.
     filename : str or pathlib.Path, optional
-        A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg), or a folder for PNG pictures. Default: a slider of time.
+        A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg, on the path or of the package imageio-ffmpeg), or a folder for PNG pictures. Default: a slider of time.
     times : sequence, optional
         Of PyVista meshes: their times as numbers, dates or words, which are written into the picture. Default: their numbers.
         Numbers and dates, also as the keys of a dict, are sorted, and the meshes with them.
@@ -233,8 +233,7 @@ def _film(plotter, series: Series, turn_to: Callable[[float], None], path: Path,
     kind = path.suffix.lower()
     if kind not in (".gif", ".mp4", ""):
         raise ValueError(f"filename is {str(path)!r}; its ending must be .gif or .mp4, or none for a folder of pictures.")
-    if kind == ".mp4" and shutil.which("ffmpeg") is None:
-        raise RuntimeError("A film in .mp4 needs the program ffmpeg, which is not on the path. Install it, or write a .gif.")
+    program = _ffmpeg() if kind == ".mp4" else ""
     with tempfile.TemporaryDirectory() as work:
         folder = path if kind == "" else Path(work)
         folder.mkdir(parents=True, exist_ok=True)
@@ -246,7 +245,7 @@ def _film(plotter, series: Series, turn_to: Callable[[float], None], path: Path,
         if kind == ".gif":
             _gif(folder, path, framerate)
         elif kind == ".mp4":
-            _mp4(folder, path, framerate)
+            _mp4(program, folder, path, framerate)
 
 
 def _gif(folder: Path, path: Path, framerate: float) -> None:
@@ -255,8 +254,20 @@ def _gif(folder: Path, path: Path, framerate: float) -> None:
     frames[0].save(path, save_all=True, append_images=frames[1:], duration=round(1000 / framerate), loop=0)
 
 
-def _mp4(folder: Path, path: Path, framerate: float) -> None:
-    told = subprocess.run(["ffmpeg", "-y", "-loglevel", "error", "-framerate", str(framerate), "-i", str(folder / "%05d.png"), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
+def _ffmpeg() -> str:
+    """The program on the path, otherwise that of the package imageio-ffmpeg."""
+    found = shutil.which("ffmpeg")
+    if found is None:
+        try:
+            from imageio_ffmpeg import get_ffmpeg_exe
+            found = get_ffmpeg_exe()
+        except (ImportError, RuntimeError):  # RuntimeError: the package has no program for this machine
+            raise RuntimeError("A film in .mp4 needs the program ffmpeg, which is not on the path. Install it, or the Python package imageio-ffmpeg, or write a .gif.") from None
+    return found
+
+
+def _mp4(program: str, folder: Path, path: Path, framerate: float) -> None:
+    told = subprocess.run([program, "-y", "-loglevel", "error", "-framerate", str(framerate), "-i", str(folder / "%05d.png"), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
                            str(path)], capture_output=True, text=True)
     if told.returncode:
         raise RuntimeError(f"ffmpeg could not write {path}: {told.stderr.strip()}")

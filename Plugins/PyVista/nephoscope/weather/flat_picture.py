@@ -3,7 +3,7 @@
 """The first picture of a flat grid: a volume over its ground, or a level or section with axes."""
 from __future__ import annotations
 
-from typing import Callable, Sequence
+from typing import Any, Callable, Sequence
 
 import numpy as np
 import pyvista
@@ -12,6 +12,7 @@ from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .look import surface_look
 from .picture import BESIDE, refuse_volume, set_title
+from .view import PicturePlotter, set_view
 
 GROUND = (0.06, 0.13, 0.2)
 FACING = {"x": (1, 0, 0), "y": (0, -1, 0), "z": (0, 0, 1)}  # where to look from at a section, by the axis that it lacks
@@ -19,10 +20,12 @@ WIDE, HIGH = 0.66, 0.78  # of the picture, for a section beside its labels and t
 
 
 def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-                 window_size: Sequence[int] = (800, 800)) -> pyvista.Plotter:
+                 window_size: Sequence[int] = (800, 800), view: Any = None) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
-    plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
+    plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
     draw_flat(plotter, grid, scalars, options, title)
+    if view is not None:
+        set_view(plotter, view)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
 

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import textwrap
-from typing import Callable, Sequence
+from typing import Any, Callable, Sequence
 
 import numpy as np
 import pyvista
@@ -17,6 +17,7 @@ from ..globe import EARTH_RADIUS, globe_surface
 from .horizontal import GridError, section
 from .look import surface_look
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
+from .view import PicturePlotter, is_place, look_down, set_view
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
@@ -28,12 +29,12 @@ MARGIN = 0.04  # of the width and of the height, around a map
 
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-            window_size: Sequence[int] = (800, 800)) -> pyvista.Plotter:
+            window_size: Sequence[int] = (800, 800), view: Any = None) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
     refuse_sections(grid)
     grid = _without_missing(grid, scalars)
-    plotter = pyvista.Plotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
-    draw(plotter, grid, scalars, options, title)
+    plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
+    draw(plotter, grid, scalars, options, title, view)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
 
@@ -60,7 +61,7 @@ def darken(plotter: pyvista.BasePlotter) -> None:
     plotter.set_background(plotter.theme.background)
 
 
-def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
+def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str], view: Any = None) -> None:
     """The field, the Earth below it, the scalar bar and the view."""
     on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
     flat = cell_dimension(grid) < 3
@@ -75,7 +76,13 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
     for bar in plotter.scalar_bars.values():
         set_title(bar, title(bar.GetTitle()))
-    (_look_down if on_globe else _look_at_map)(plotter, grid)
+    if on_globe and (view is None or is_place(view)):
+        look_down(plotter, grid, _finite(grid), None if "sun" in options else default_scalars(grid)[1] if scalars is None else scalars, view)
+    elif view is None:
+        _look_at_map(plotter, grid)
+    else:
+        set_view(plotter, view)
+        plotter.camera.SetWindowCenter(0.08 if on_globe else 0, 0)  # room for the scalar bar
 
 
 def refuse_volume(options: dict) -> None:
@@ -167,20 +174,3 @@ def _longest_diagonal(sheet: pyvista.DataSet) -> float:
         sizes = np.linalg.norm(np.maximum.reduceat(corners, starts) - np.minimum.reduceat(corners, starts), axis=1) if len(starts) else np.zeros(1)
     sizes = sizes[np.isfinite(sizes)]
     return float(sizes.max()) if sizes.size else 0.0
-
-
-def _look_down(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
-    """Places the camera above the middle of the data, far enough to show all of them, with north up."""
-    points = _finite(grid)
-    points = points[:: max(1, len(points) // 5000)]
-    middle = points.mean(axis=0)
-    if np.linalg.norm(middle) < 0.2 * EARTH_RADIUS:  # all round the globe
-        middle = np.array([0.3, -1.0, 0.35]) * EARTH_RADIUS
-    centre = middle if np.linalg.norm(middle) > 0.6 * EARTH_RADIUS and np.ptp(points, axis=0).max() < 1.2 * EARTH_RADIUS else np.zeros(3)
-    size = np.linalg.norm(points - centre, axis=1).max()
-    upward = middle / np.linalg.norm(middle)
-    plotter.camera.focal_point = centre
-    plotter.camera.position = centre + upward * size * 4.6
-    plotter.camera.up = (0, 0, 1) if abs(upward[2]) < 0.95 else (1, 0, 0)
-    plotter.camera.SetWindowCenter(0.08, 0)  # room for the scalar bar
-    plotter.reset_camera_clipping_range()

@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the camera of a first picture looks at, and that the plotter it returns draws other views."""
+import os
+import unittest
+from pathlib import Path
+
+import nephoscope  # noqa: F401 (the accessor)
+import numpy as np
+import pyvista
+import xarray as xr
+from weather_data import frames
+
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"], "TestWeatherViews.png")
+BEHIND = [(0, 3e7, 0), (0, 0, 0), (0, 0, 1)]
+
+
+def weather(name="cc", middle=(100.0, 30.0), west=0.0, east=355.0, units="1", base=0.0):
+    """A blob, of 15 degrees around its middle."""
+    longitudes, latitudes = np.arange(west, east + 1, 5.0), np.arange(90, -91, -5.0)
+    up = frames(*np.meshgrid(longitudes, latitudes))[2]
+    angle = np.degrees(np.arccos(np.clip(up @ frames(*middle)[2], -1, 1)))
+    field = base + np.exp(-((angle / 15) ** 2)) * np.ones((3, 1, 1))
+    return xr.Dataset({name: (("level", "latitude", "longitude"), field, {"units": units})},
+                      {"level": ("level", [850.0, 500, 300], {"units": "hPa"}), "latitude": ("latitude", latitudes, {"units": "degrees_north"}), "longitude": ("longitude", longitudes, {"units": "degrees_east"})})
+
+
+class Views(unittest.TestCase):
+    def plotted(self, dataset, *names, **options):
+        plotter = dataset.nephoscope.plot(*names, screenshot=str(OUTPUT), window_size=(120, 120), **options)
+        self.addCleanup(plotter.close)
+        return plotter
+
+    def place(self, plotter):
+        """Longitude and latitude below the camera."""
+        x, y, z = np.array(plotter.camera.position) / np.linalg.norm(plotter.camera.position)
+        return np.degrees([np.arctan2(y, x), np.arcsin(z)])
+
+    def test_where_the_field_is(self):
+        for middle in ((100.0, 30.0), (-170.0, -60.0)):
+            for options in ({}, {"units": "K", "name": "t", "base": 250.0}):  # it has values everywhere
+                np.testing.assert_allclose(self.place(self.plotted(weather(middle=middle, **options))), middle, atol=3)
+        wind = weather("v", units="m/s")
+        wind = wind.assign(v=-wind["v"].assign_attrs(units="m/s", standard_name="northward_wind"))
+        np.testing.assert_allclose(self.place(self.plotted(wind, "v")), (100, 30), atol=3)  # of either sign
+
+    def test_all_round_the_globe(self):
+        calm = weather()
+        everywhere = calm.assign(cc=calm["cc"] * 0 + np.cos(np.radians(6 * calm.longitude)) ** 2)
+        np.testing.assert_allclose(self.place(self.plotted(everywhere)), np.degrees([np.arctan2(-1, 0.3), np.arctan2(0.35, np.hypot(0.3, 1))]), atol=0.1)
+
+    def test_a_place(self):
+        for view in ((-90, 45), np.array([10.0, -20.0]), [0, 90]):
+            plotter = self.plotted(weather(), view=view)
+            self.assertLess(np.abs(self.place(plotter) - view)[1 if view[1] == 90 else 0:].max(), 0.1)
+            np.testing.assert_allclose(plotter.camera.focal_point, 0)
+        part = self.plotted(weather(west=80, east=120).sel(latitude=slice(50, 10)), view=(95, 25))
+        np.testing.assert_allclose(self.place(part), (95, 25), atol=0.1)
+        self.assertGreater(np.linalg.norm(part.camera.focal_point), 6e6)  # near, above it
+
+    def test_a_camera_position(self):
+        self.assertEqual(self.plotted(weather(), view=BEHIND).camera.position, BEHIND[0])
+        for options in ({"projection": "map"}, {}):
+            direction = np.array(self.plotted(weather(), view="xz", **options).camera.direction)
+            np.testing.assert_allclose(direction, (0, 1, 0), atol=1e-6)
+        metres = {"units": "m"}
+        flat = xr.Dataset({"a": (("z", "y", "x"), np.random.default_rng(0).random((4, 5, 6)))}, {axis: (axis, 100.0 * np.arange(count), metres) for axis, count in zip("zyx", (4, 5, 6))})
+        np.testing.assert_allclose(self.plotted(flat, view="yz").camera.direction, (-1, 0, 0), atol=1e-6)
+
+    def test_wrong(self):
+        for view, words in (("above", "longitude and latitude, for a globe, or a camera position"), ((0, 95), "a latitude, is 95"), (("a", 0), "a longitude, is 'a'"), ([1, [2, 3], 4], "camera position")):
+            with self.subTest(view), self.assertRaisesRegex(ValueError, words):
+                self.plotted(weather(), view=view)
+        with self.assertRaisesRegex(ValueError, "which are for a globe"):
+            self.plotted(weather(), view=(0, 0), projection="map")
+
+    def test_another_camera(self):
+        plotter = self.plotted(weather())
+        first = plotter.screenshot(return_img=True)
+        np.testing.assert_array_equal(first.ravel(), np.asarray(pyvista.read(OUTPUT)["PNGImage"]).reshape(120, 120, -1)[::-1, :, :3].ravel())
+        plotter.camera_position = BEHIND
+        second = plotter.screenshot(return_img=True)
+        self.assertGreater(np.abs(first.astype(int) - second).mean(), 3)
+        np.testing.assert_array_equal(second, plotter.screenshot(return_img=True))
+        plotter.camera.azimuth = 40
+        self.assertGreater(np.abs(second.astype(int) - plotter.screenshot(return_img=True)).mean(), 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,95 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the camera of a first picture is: above the data, above where the field is, or where the user wants it."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyvista
+
+from .._checks import require_number
+from .._fields import preset_of_field
+from ..globe import EARTH_RADIUS
+
+AMERICA = np.array([0.3, -1.0, 0.35])  # of fields all round the globe
+CONCENTRATED = 0.75  # length of the mean direction of a field on one side of the globe; that of one that increases evenly from pole to pole is 2/3
+
+
+class PicturePlotter(pyvista.Plotter):
+    """A plotter whose screenshots show the camera as it is: PyVista's show what was drawn last."""
+    _pictured: tuple | None = None
+
+    def screenshot(self, *args: Any, **options: Any) -> Any:
+        window = self.render_window
+        if self._pictured not in (None, self._cameras()) and window is not None:
+            self.render()
+        found = super().screenshot(*args, **options)
+        self._pictured = self._cameras()
+        return found
+
+    def _cameras(self) -> tuple:
+        return tuple((*one.camera.GetPosition(), *one.camera.GetFocalPoint(), *one.camera.GetViewUp(), one.camera.GetViewAngle(), one.camera.GetParallelScale()) for one in self.renderers)
+
+
+def is_place(view: Any) -> bool:
+    """Whether `view` is a longitude and a latitude, and not a camera position of PyVista."""
+    return not isinstance(view, str) and hasattr(view, "__len__") and len(view) == 2 and all(np.ndim(value) == 0 for value in view)
+
+
+def set_view(plotter: pyvista.BasePlotter, view: Any) -> None:
+    """A camera position of PyVista."""
+    if is_place(view):
+        raise ValueError(f"view is {view!r}, a longitude and latitude, which are for a globe. Here it must be a camera position of PyVista, such as 'xy' or [position, focal point, upward direction].")
+    try:
+        plotter.camera_position = view
+    except (TypeError, ValueError, AttributeError) as error:
+        raise ValueError(f"view is {view!r}; it must be a longitude and latitude, for a globe, or a camera position of PyVista, such as 'xy' or [position, focal point, upward direction].") from error
+    plotter.reset_camera_clipping_range()
+
+
+def direction_of(view: Any) -> np.ndarray:
+    """The unit vector towards a longitude and latitude."""
+    longitude = np.radians(require_number(view[0], "view[0], a longitude,", least=-360, most=360))
+    latitude = np.radians(require_number(view[1], "view[1], a latitude,", least=-90, most=90))
+    return np.array([np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)])
+
+
+def side_of(grid: pyvista.DataSet, name: str) -> np.ndarray | None:
+    """The mean direction of what the field has above its median, on a globe; None if it has that all round."""
+    on_points = name in grid.point_data
+    values = np.asarray((grid.point_data if on_points else grid.cell_data)[name], float)
+    places = np.asarray(grid.points if on_points else grid.cell_centers().points, float)
+    lengths = np.linalg.norm(places, axis=1)
+    preset = preset_of_field(name, grid)
+    values = np.abs(values) if preset is not None and preset.range_rule == "symmetric" else values
+    good = np.isfinite(values) & np.isfinite(lengths) & (lengths > 0)
+    if values.ndim != 1 or not good.any():
+        return None
+    places, values = places[good] / lengths[good, None], values[good]
+    weights = np.clip(values - np.median(values), 0, None)
+    if isinstance(grid, pyvista.StructuredGrid):
+        weights *= np.hypot(places[:, 0], places[:, 1])  # columns are crowded at the poles
+    mean = (weights @ places) / (weights.sum() or 1.0)
+    return mean if np.linalg.norm(mean) > CONCENTRATED else None
+
+
+def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.ndarray, name: str | None, view: Any) -> None:
+    """Places the camera above a place, by default the middle of the data or of the field, far enough to show all of them, with north up."""
+    points = points[:: max(1, len(points) // 5000)]
+    middle = points.mean(axis=0)
+    if np.linalg.norm(middle) < 0.2 * EARTH_RADIUS:  # all round the globe
+        side = side_of(grid, name) if name is not None else None
+        middle = (AMERICA if side is None else side / np.linalg.norm(side)) * EARTH_RADIUS
+    part = np.linalg.norm(middle) > 0.6 * EARTH_RADIUS and np.ptp(points, axis=0).max() < 1.2 * EARTH_RADIUS
+    centre = middle if part else np.zeros(3)
+    size = np.linalg.norm(points - centre, axis=1).max()
+    upward = middle / np.linalg.norm(middle)
+    if view is not None:
+        upward = direction_of(view)
+        centre = np.linalg.norm(middle) * upward if part else centre
+    plotter.camera.focal_point = centre
+    plotter.camera.position = centre + upward * size * 4.6
+    plotter.camera.up = (0, 0, 1) if abs(upward[2]) < 0.95 else (1, 0, 0)
+    plotter.camera.SetWindowCenter(0.08, 0)  # room for the scalar bar
+    plotter.reset_camera_clipping_range()
