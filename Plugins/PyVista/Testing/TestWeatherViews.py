@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the camera of a first picture looks at, and that the plotter it returns draws other views."""
+"""What the camera of a first picture looks at, that the plotter it returns draws other views, and that its scalar bar can be read."""
 import os
 import unittest
 from pathlib import Path
@@ -9,6 +9,7 @@ import nephoscope  # noqa: F401 (the accessor)
 import numpy as np
 import pyvista
 import xarray as xr
+from nephoscope.weather.bars import label_format
 from weather_data import frames
 
 OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"], "TestWeatherViews.png")
@@ -66,6 +67,8 @@ class Views(unittest.TestCase):
         metres = {"units": "m"}
         flat = xr.Dataset({"a": (("z", "y", "x"), np.random.default_rng(0).random((4, 5, 6)))}, {axis: (axis, 100.0 * np.arange(count), metres) for axis, count in zip("zyx", (4, 5, 6))})
         np.testing.assert_allclose(self.plotted(flat, view="yz").camera.direction, (-1, 0, 0), atol=1e-6)
+        for data in (flat, weather()):
+            self.assertEqual(self.plotted(data, view=BEHIND).camera.view_angle, 30)
 
     def test_wrong(self):
         for view, words in (("above", "longitude and latitude, for a globe, or a camera position"), ((0, 95), "a latitude, is 95"), (("a", 0), "a longitude, is 'a'"), ([1, [2, 3], 4], "camera position")):
@@ -84,6 +87,38 @@ class Views(unittest.TestCase):
         np.testing.assert_array_equal(second, plotter.screenshot(return_img=True))
         plotter.camera.azimuth = 40
         self.assertGreater(np.abs(second.astype(int) - plotter.screenshot(return_img=True)).mean(), 3)
+
+
+class Bars(unittest.TestCase):
+    def test_as_many_digits_as_the_range_needs(self):
+        for low, high, labels in ((289.1, 289.4, ["289.1", "289.2", "289.3", "289.4"]), (0, 1, ["0.00", "0.33", "0.67", "1.00"]), (190, 310, ["190", "230", "270", "310"]),
+                                  (99990, 100020, ["99990", "100000", "100010", "100020"]), (0, 3e-5, ["0.0e+00", "1.0e-05", "2.0e-05", "3.0e-05"]), (-15, 15, ["-15", "-5", "5", "15"]),
+                                  (0, 4e-3, ["0.0000", "0.0013", "0.0027", "0.0040"])):
+            text = label_format(low, high, 4)
+            self.assertEqual([text % value for value in np.linspace(low, high, 4)], labels)
+        self.assertEqual((label_format(1, 1, 4) % 1).strip(), "1.00")
+
+    def test_nothing_is_cut_off(self):
+        """The outermost pixels have no text, and titles and labels are there as a whole, in windows of several sizes."""
+        for size in ((160, 200), (300, 300), (400, 300), (800, 800)):
+            for field, name in ((weather("t", units="K", base=289.0), "t"), (weather("reflectivity_of_everything", units="µg m-3 s-1"), None)):
+                plotter = field.nephoscope.plot(name, screenshot=str(OUTPUT), window_size=size)
+                self.addCleanup(plotter.close)
+                bar, = plotter.scalar_bars.values()
+                picture = plotter.screenshot(return_img=True).astype(int)
+                self.assertLess(picture[:, -3:].max(), 40)
+                self.assertGreater(picture[:, int(size[0] * bar.GetPosition()[0]):].max(), 200)
+                bar.SetVisibility(False)
+                plotter.render()
+                earth = np.flatnonzero((plotter.screenshot(return_img=True).max(axis=2) > 40).any(axis=0))
+                self.assertGreater(earth[0], 0)
+                self.assertLess(earth[-1], size[0] * (bar.GetPosition()[0] + 0.02))  # the globe is beside the bar
+
+    def test_labels_of_a_map_stand_side_by_side(self):
+        for width, count in ((160, 2), (800, 4)):
+            plotter = weather("t", units="K", base=289.0).nephoscope.plot(screenshot=str(OUTPUT), window_size=(width, 200), projection="map", clim=(123456.0, 123456.3))
+            self.addCleanup(plotter.close)
+            self.assertEqual([bar.GetNumberOfLabels() for bar in plotter.scalar_bars.values()], [count])
 
 
 if __name__ == "__main__":

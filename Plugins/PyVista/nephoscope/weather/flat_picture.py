@@ -10,8 +10,9 @@ import pyvista
 
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
+from .bars import finish_bars, make_room
 from .look import surface_look
-from .picture import BESIDE, refuse_volume, set_title
+from .picture import BESIDE, refuse_volume
 from .view import PicturePlotter, set_view
 
 GROUND = (0.06, 0.13, 0.2)
@@ -25,6 +26,7 @@ def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | N
     plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
     draw_flat(plotter, grid, scalars, options, title)
     if view is not None:
+        plotter.camera.view_angle = 30  # PyVista's
         set_view(plotter, view)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
@@ -34,8 +36,8 @@ def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str 
     """The field as a volume in the outline of its grid, seen from the south and from above; a field of one level or a section as a surface."""
     options = {"scalar_bar_args": BESIDE, **options}
     (_draw_volume if cell_dimension(grid) == 3 else _draw_section)(plotter, grid, scalars, options)
-    for bar in plotter.scalar_bars.values():
-        set_title(bar, title(bar.GetTitle()))
+    finish_bars(plotter, title)
+    make_room(plotter, as_high=False)
 
 
 def _draw_volume(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict) -> None:

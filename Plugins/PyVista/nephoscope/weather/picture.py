@@ -3,17 +3,16 @@
 """The first picture of a mesh on the globe or on a map, in one line."""
 from __future__ import annotations
 
-import textwrap
 from typing import Any, Callable, Sequence
 
 import numpy as np
 import pyvista
-from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface
+from .bars import finish_bars, make_room
 from .horizontal import GridError, section
 from .look import surface_look
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
@@ -74,8 +73,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options)})
     else:
         add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
-    for bar in plotter.scalar_bars.values():
-        set_title(bar, title(bar.GetTitle()))
+    finish_bars(plotter, title)
     if on_globe and (view is None or is_place(view)):
         look_down(plotter, grid, _finite(grid), None if "sun" in options else default_scalars(grid)[1] if scalars is None else scalars, view)
     elif view is None:
@@ -83,6 +81,8 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     else:
         set_view(plotter, view)
         plotter.camera.SetWindowCenter(0.08 if on_globe else 0, 0)  # room for the scalar bar
+    if on_globe and (view is None or is_place(view)):
+        make_room(plotter, as_high=True)
 
 
 def refuse_volume(options: dict) -> None:
@@ -90,17 +90,6 @@ def refuse_volume(options: dict) -> None:
     wrong = [name for name in VOLUME if name in options]
     if wrong:
         raise ValueError(f"{wrong[0]}: an option of volumes, but this grid is one level or section.")
-
-
-def set_title(bar: vtkScalarBarActor, text: str) -> None:
-    """In short lines above an upright bar, in one line above a lying one."""
-    if not bar.GetOrientation():
-        bar.SetTitle(f"{textwrap.shorten(text, 60)}\n ")
-        bar.SetBarRatio(0.25)
-        return
-    name, bracket, units = text.partition(" [")
-    bar.SetTitle("\n".join([*textwrap.wrap(name, 14), *["[" + units] * bool(bracket)]))
-    bar.SetVerticalTitleSeparation(10)  # pixels: the title is not on the upper label
 
 
 def refuse_sections(grid: pyvista.DataSet) -> None:
