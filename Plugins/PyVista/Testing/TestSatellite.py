@@ -199,6 +199,18 @@ class CoarseGlobe(unittest.TestCase):
         np.testing.assert_allclose(corners.ravel(), mesh.point_data["Weighted"], rtol=1e-6)
 
 
+    def test_hidden_parts_stay_hidden(self):
+        mesh = globe(1e-4)
+        points, cells = np.zeros(mesh.n_points, np.uint8), np.zeros(mesh.n_cells, np.uint8)
+        points.reshape(mesh.dimensions[::-1])[0, 8, 20] = 2  # vtkDataSetAttributes::HIDDENPOINT
+        marks = cells.reshape(2, 18, 36)
+        marks[0, 7:9, 19:21] = marks[1, 3, 5] = 32  # HIDDENCELL: those around the point, and another
+        mesh.point_data["vtkGhostType"], mesh.cell_data["vtkGhostType"] = points, cells
+        fine = refined(mesh, 2, {"Extinction": None})
+        np.testing.assert_array_equal(np.argwhere(fine.point_data["vtkGhostType"].reshape(fine.dimensions[::-1])), [[0, 16, 40]])
+        np.testing.assert_array_equal(np.argwhere(fine.cell_data["vtkGhostType"].reshape(2, 36, 72)), [[1, j, i] for j in (6, 7) for i in (10, 11)])
+
+
 class Tone(unittest.TestCase):
     def test_srgb(self):
         values = np.linspace(0, 1, 101)

@@ -53,10 +53,23 @@ def refined(mesh: pyvista.StructuredGrid, factor: int, names: dict[str, str | No
         sums = _between(weights, factor)
         found = np.divide(_between(weights * np.nan_to_num(values), factor), sums, out=np.full_like(sums, np.nan), where=sums > 0)
         fine.point_data[name] = found.astype(np.float32).ravel()
+    if "vtkGhostType" in mesh.cell_data:
+        fine.cell_data["vtkGhostType"] = _cells_hidden_alone(mesh).repeat(factor, axis=1).repeat(factor, axis=2).ravel()
     if "vtkGhostType" in mesh.point_data:
         hidden = (np.asarray(mesh.point_data["vtkGhostType"]) & HIDDEN_POINT != 0).astype(float).reshape(levels, rows, columns)
         fine.point_data["vtkGhostType"] = (HIDDEN_POINT * (_between(hidden, factor) > 0.5)).astype(np.uint8).ravel()
     return fine
+
+
+def _cells_hidden_alone(mesh: pyvista.StructuredGrid) -> np.ndarray:
+    """The marks of cells none of whose points is hidden: others are found anew, from the points of the finer grid."""
+    columns, rows, levels = mesh.dimensions
+    marks = np.asarray(mesh.cell_data["vtkGhostType"]).reshape(levels - 1, rows - 1, columns - 1)
+    if "vtkGhostType" not in mesh.point_data:
+        return marks
+    points = (np.asarray(mesh.point_data["vtkGhostType"]) & HIDDEN_POINT != 0).reshape(levels, rows, columns)
+    touched = np.any([points[k:k + levels - 1, j:j + rows - 1, i:i + columns - 1] for k in (0, 1) for j in (0, 1) for i in (0, 1)], axis=0)
+    return np.where(touched, 0, marks).astype(marks.dtype)
 
 
 def _between(values: np.ndarray, factor: int) -> np.ndarray:
