@@ -29,6 +29,7 @@ shown.TexturedSplatsVectorColorArray = "Height"
 altitudes = globe_scene.colour_table("Height", WIND_COLOURS)
 shown.TexturedSplatsVectorLookupTable = altitudes
 shown.TexturedSplatsVectorOpacity = 4
+shown.TexturedSplatsVectorShare = 1  # the view shows a small part of the globe
 shown.TexturedSplatsGreatestSpeed = 40
 shown.TexturedSplatsStreakWidth = 0.08
 splat_clouds.altitude_bar(view, altitudes)

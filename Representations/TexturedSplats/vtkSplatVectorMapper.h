@@ -93,7 +93,7 @@ public:
   ///@{
   /**
    * Speed, in the units of the vectors, at and above which streaks have full opacity. 0 (default): the greatest speed in the
-   * data.
+   * data, but at most 1.25 times that which 99 % of the vectors do not exceed. A warning tells if there is one of more than twice that.
    */
   vtkSetClampMacro(MaximumSpeed, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSpeed, double);

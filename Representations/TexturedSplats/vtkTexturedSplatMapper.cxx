@@ -35,7 +35,7 @@ struct vtkTexturedSplatMapper::vtkInternals
 {
   nephoscope::SplatScene Scene;
   nephoscope::SplatPass Pass;
-  nephoscope::ReportedError LastError, LastWarning, LeftOut, Cost, NoVectors;
+  nephoscope::ReportedError LastError, LastWarning, LeftOut, Cost, NoVectors, LongVectors;
   nephoscope::SamplesInTime Samples; // while the camera moves
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Pass.ReleaseGraphicsResources(window);
@@ -194,11 +194,19 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   this->ChooseVectors(input, fields.Scalars.OnCells);
   error = this->Internals->Scene.Update(input, sampling, fields, this->GetVectorSettings());
   const std::string leftOut = error.empty()
-    ? this->Internals->Scene.DescribeLeftOut(fields, sampling.SizeArrayName)
+    ? this->Internals->Scene.DescribeLeftOut(fields, sampling.SizeArrayName, this->DrawnVectors)
     : std::string();
   if (this->Internals->LeftOut.IsNew(leftOut))
   {
     vtkWarningMacro(<< leftOut);
+  }
+  const bool automatic = error.empty() && !this->DrawnVectors.empty() && this->MaximumSpeed == 0;
+  const std::string longVectors = automatic
+    ? this->GetVectorScene().GetVectors().GetSpeeds().DescribeLong(this->DrawnVectors)
+    : std::string();
+  if (this->Internals->LongVectors.IsNew(longVectors))
+  {
+    vtkWarningMacro(<< longVectors);
   }
   return error;
 }

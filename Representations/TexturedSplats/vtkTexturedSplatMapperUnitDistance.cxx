@@ -43,8 +43,9 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
   const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
   const nephoscope::MediumMeasures measures =
     nephoscope::measureSplats(input, sampling, vectors, {}, bounds);
-  const nephoscope::SuitedVectors suited =
-    nephoscope::suitVectors(measures, bounds, this->MaximumSpeed);
+  const nephoscope::SpeedCounts speeds = nephoscope::CountSpeeds(input, sampling, vectors);
+  const nephoscope::SuitedVectors suited = nephoscope::suitVectors(measures, bounds,
+    this->MaximumSpeed > 0 ? this->MaximumSpeed : speeds.GetFull(), speeds.GetNumber());
   if (share)
   {
     this->SetVectorFraction(suited.Share);

@@ -28,6 +28,7 @@ const Words remedies = {
   { "add some with AddPoint", "add some in the Color Map Editor" },
   { "add some with AddRGBPoint", "add some in the Color Map Editor" },
   { "call SetVectorColorFunction", "set Vector Color Map" },
+  { "set MaximumSpeed", "set Greatest Speed" },
   { "call SetMethodToCells()", "set Method to Cells" },
   { "call SetPolygonsToAll()", "set Polygons to All" },
   { "Call SetVectorPlacementToMiddle()", "Set Vector Placement to Middle" },

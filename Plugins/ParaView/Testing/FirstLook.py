@@ -298,6 +298,13 @@ def check_vectors():
     found = settings_of(display, "VectorOpacity", "VectorFraction", "UseVectorColor")
     expected = [mapper.GetVectorOpacity(), mapper.GetVectorShare(), 1]
     check(expected[1] < 0.9 and all(math.isclose(a, b, rel_tol=0.01) for a, b in zip(found, expected)), f"vectors: {found}, in Python {expected}")
+    function = pvs.GetOpacityTransferFunction("RTData")
+    points = list(function.Points)
+    function.Points = [value if i % 4 != 1 else 0.0 for i, value in enumerate(points)]
+    image(view)
+    alone = settings_of(display, "VectorOpacity", "VectorFraction", "UseVectorColor")
+    check(alone[0] == 2 and math.isclose(alone[1], expected[1], rel_tol=0.01) and alone[2] == 0, f"vectors alone: {alone}")
+    function.Points = points
     display.TexturedSplatsVectorOpacity, display.TexturedSplatsVectorShare, display.TexturedSplatsUseVectorColor = 1.5, 1, 0
     check(abs(image(view) - suited).mean() > 0.5, "vectors look the same whatever is set")
     check(settings_of(display, "VectorOpacity", "VectorFraction", "UseVectorColor") == [1.5, 1, 0], "what is set does not stay")

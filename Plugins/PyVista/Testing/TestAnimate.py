@@ -50,7 +50,8 @@ class Vectors(Animation):
         """A step looks as with the greatest speed of all steps, so that stronger winds have stronger streaks."""
         meshes = [whirl(1), whirl(10), whirl(2)]
         greatest = np.linalg.norm(meshes[1]["U"], axis=1).max()
-        for vectors in ({"array": "U"}, {"array": "U", "true_speed": True, "speed_key": False}, {"array": "U", "maximum_speed": 3.0}):
+        for options in ({}, {"true_speed": True, "speed_key": False}, {"maximum_speed": 3.0}):
+            vectors = {"array": "U", "fraction": 1, **options}
             self.plotter.clear()
             series, mapper = self.animate(meshes, vectors=vectors)
             self.assertAlmostEqual(mapper.GetMaximumSpeed(), vectors.get("maximum_speed", greatest), 4)
@@ -66,7 +67,7 @@ class Vectors(Animation):
         for strengths, unit in (((-1, 10), 1), ((1, -100), 2)):
             self.plotter.clear()
             meshes = [whirl(strength) for strength in strengths]
-            series, mapper = self.animate(meshes, vectors="U")
+            series, mapper = self.animate(meshes, vectors={"array": "U", "fraction": 1})
             found = mapper.GetVectorUnit()
             self.assertAlmostEqual(found, unit, delta=0.1)
             series.show(1)

@@ -125,7 +125,8 @@ class Streaks(unittest.TestCase):
         self.assertEqual(self.mapper(32, vectors=dict(array="v", fraction=1, opacity=3)).GetVectorShare(), 1)
         self.assertEqual(self.mapper(32, vectors=dict(array="v", fraction=1, opacity=3)).GetVectorOpacity(), 3)
         alone = self.mapper(32, opacity=0)
-        self.assertEqual((alone.GetVectorShare(), alone.GetVectorOpacity(), alone.GetUseVectorColor()), (1, 2, False))
+        self.assertEqual((alone.GetVectorShare(), alone.GetVectorOpacity(), alone.GetUseVectorColor()), (self.mapper(32).GetVectorShare(), 2, False))
+        self.assertEqual(self.mapper(32, opacity=0, vectors=dict(array="v", style="segments")).GetVectorShare(), 1)
 
     def test_colour_stands_out(self):
         for theme, cmap in ((None, "viridis"), (pyvista.themes.DarkTheme(), ["white", "white"]), (None, ["black", "black"])):

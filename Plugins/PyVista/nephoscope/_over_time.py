@@ -37,10 +37,11 @@ def densest(grid: pyvista.DataSet, name: str, opacity: Any) -> pyvista.DataSet:
     return series.greatest(name, lambda values: np.mean([opacity.GetValue(value) for value in values]))
 
 
-def greatest_vector(grid: pyvista.DataSet, name: str) -> float | None:
-    """The greatest length of a vector in all steps of the series whose mesh is the grid; None for another grid, or if all lengths are 0."""
+def lengths_of_vectors(grid: pyvista.DataSet, name: str) -> np.ndarray:
+    """The lengths above 0 of the vectors in all steps of the series whose mesh is the grid; empty for another grid."""
     series = _series.get(grid.memory_address)
-    return None if series is None else series.range(name)[1] or None
+    lengths = np.zeros(0) if series is None else np.concatenate(series.samples(name))
+    return lengths[lengths > 0]
 
 
 def fastest(grid: pyvista.DataSet, name: str) -> pyvista.DataSet:

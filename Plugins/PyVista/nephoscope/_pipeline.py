@@ -73,6 +73,7 @@ _NAMES_OF_MAPPERS = {
     "UseDepthPeelingForVolumesOff() of the renderer": "plotter.renderer.UseDepthPeelingForVolumesOff()",
     "Choose one with SetVectorArrayName": "Choose one by vectors", "Choose one with SetVectorColorArrayName": "Choose one by vectors['scalars']",
     "VectorColorArrayName": "vectors['scalars']", "VectorArrayName": "vectors", "call SetVectorColorFunction": "give vectors['cmap']",
+    "set MaximumSpeed": "pass vectors['maximum_speed']",
     "set ErrorTolerance to 0.3": "pass level_of_detail=0.3", "ErrorTolerance": "level_of_detail",
     "Call SetVectorPlacementToMiddle()": "Pass 'middle' as vectors['placement']",
     "LayerAxis (in ParaView, Layer Axis)": "layer_axis", "set it to -1 (Towards the Eye) to ask for these": "pass layer_axis='eye' to ask for these",

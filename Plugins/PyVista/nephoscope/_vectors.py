@@ -13,13 +13,14 @@ import pyvista
 from . import vtkSplatSpeedKey
 from ._checks import choose, listed, require_beside_scalars, require_number
 from ._medium import array_values, lookup_table
-from ._over_time import fastest, greatest_vector, values_over_time
+from ._over_time import fastest, lengths_of_vectors, values_over_time
 from ._pipeline import level_of_caller
 from ._typing import Numbers
 from .transfer import colour_function
 
 
 ALONE = 2.0  # optical depth of the fastest streaks
+LONG, TOLD = 1.25, 2.0  # times the length that 99 % of the vectors do not exceed: longer ones are drawn as if they were that long, and a warning tells it
 COLOURS = ("black", "white", "orangered")
 
 
@@ -145,11 +146,11 @@ class Vectors:
                       "pictures that change less with the view.", UserWarning, stacklevel=level_of_caller())
 
     def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty, given: pyvista.DataSet) -> None:
-        """Adjusts the vectors to a medium that is drawn too, so that both are readable, and to all steps of a series, unless the user has set them. `given`: the
+        """Draws as many streaks as are readable, adjusts them to a medium that is drawn too, and to all steps of a series, unless the user has set them. `given`: the
         mesh of the user. Call it after everything else is set."""
         if self.array is None:
             return
-        drawn, speed = mapper.dataset, greatest_vector(given, self.array)
+        drawn, speed = mapper.dataset, self._full_length(lengths_of_vectors(given, self.array))
         if speed is not None:
             mapper.SetInputData(_with_arrays(fastest(given, self.array), drawn))
             if self.maximum_speed is None:
@@ -159,11 +160,21 @@ class Vectors:
             mapper.SetVectorUnit(mapper.FindVectorUnit())
             mapper.SetInputData(drawn)
 
+    def _full_length(self, lengths: np.ndarray) -> float | None:
+        """The length at which vectors are fully drawn, found as by the mapper; None if there are no lengths."""
+        if not lengths.size:
+            return None
+        usual, greatest = np.percentile(lengths, 99), lengths.max()
+        full = float(min(greatest, LONG * usual))
+        if greatest > TOLD * usual and self.maximum_speed is None:
+            warnings.warn(f"The array {self.array!r} has vectors of a length of up to {greatest:.3g}, but 99 % are not longer than {usual:.3g}: vectors longer than {full:.3g} "
+                          "are drawn as if they were that long. Replace wrong values, or pass vectors['maximum_speed'].", UserWarning, stacklevel=level_of_caller())
+        return full
+
     def _suit_to_medium(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
-        if not is_drawn(prop.GetScalarOpacity()):
-            return
-        mapper.SuitVectorsToMedium(self.opacity is None, self.fraction is None and self.style == "streaks")
-        if self.color is None and self.scalars is None:
+        in_medium = is_drawn(prop.GetScalarOpacity())
+        mapper.SuitVectorsToMedium(in_medium and self.opacity is None, self.fraction is None and self.style == "streaks")
+        if in_medium and self.color is None and self.scalars is None:
             mapper.SetVectorColor(_contrasting(plotter.background_color.float_rgb, np.asarray(mapper.lookup_table.values)[:, :3] / 255.0))
             mapper.SetUseVectorColor(True)
 

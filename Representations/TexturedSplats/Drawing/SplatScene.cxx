@@ -84,8 +84,8 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
   return error;
 }
 
-std::string SplatScene::DescribeLeftOut(
-  const SplatFields& fields, const std::string& sizeArrayName) const
+std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName,
+  const std::string& vectorArrayName) const
 {
   const auto quoted = [](vtkDataArray* array) {
     return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
@@ -109,6 +109,15 @@ std::string SplatScene::DescribeLeftOut(
   {
     text += (text.empty() ? "" : " ") + counted(this->Samples.NumberOfWrongSizes) + "'" +
       sizeArrayName + "' is not positive or not finite there. Sizes must be positive.";
+  }
+  const std::size_t vectors =
+    vectorArrayName.empty() ? 0 : this->VectorScene.GetVectors().GetNumberNotFinite();
+  if (vectors > 0)
+  {
+    text += (text.empty() ? "The vectors of " : " The vectors of ") + std::to_string(vectors) +
+      (fields.Scalars.OnCells ? " cell" : " point") + (vectors == 1 ? "" : "s") +
+      " are not drawn because array '" + vectorArrayName +
+      "' is not finite there. Blank such points, or replace the values.";
   }
   return text;
 }

@@ -72,7 +72,8 @@ public:
   std::size_t GetNumberOfDrawn() const { return this->Drawn().size(); }
   const SplatSamples& GetSamples() const { return this->Samples; }
   /** Which samples are left out because of a value, a coordinate or a size; empty if there are none. */
-  std::string DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName) const;
+  std::string DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName,
+    const std::string& vectorArrayName) const;
   /** Thickness of the layers at right angles to the line of sight; 0 where they are those of a grid. */
   double GetLayerThickness() const;
   /** Whether layers are drawn one after another, not in the order of the distances. */

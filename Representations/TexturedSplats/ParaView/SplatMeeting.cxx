@@ -167,6 +167,20 @@ std::vector<vtkSmartPointer<vtkDataObject>> tradeWithRanks(
 }
 } // namespace
 
+SpeedCounts speedsOfRanks(const SpeedCounts& mine)
+{
+  const std::vector<double> counts = mine.GetCounts();
+  std::vector<double> sums(counts.size());
+  const double local = mine.GetGreatest();
+  double greatest = 0;
+  world()->AllReduce(
+    counts.data(), sums.data(), static_cast<vtkIdType>(counts.size()), vtkCommunicator::SUM_OP);
+  world()->AllReduce(&local, &greatest, 1, vtkCommunicator::MAX_OP);
+  SpeedCounts all;
+  all.Set(sums, greatest);
+  return all;
+}
+
 SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors)
 {
   const SplatShapes shapes = shapesOf(vertices);
@@ -179,11 +193,11 @@ SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors)
   }
   const VectorSums sums = SumVectors(
     shapes, vectors.empty() ? nullptr : vertices->GetCellData()->GetArray(vectors.c_str()));
-  const double local[3] = { longest, sums.Greatest, static_cast<double>(shapes.GetNumberOfIds()) };
+  const double local[2] = { longest, static_cast<double>(shapes.GetNumberOfIds()) };
   const double localSums[2] = { sums.Cells, sums.Count };
-  double greatest[3], sum[2];
+  double greatest[2], sum[2];
   world()->AllReduce(mine, all);
-  world()->AllReduce(local, greatest, 3, vtkCommunicator::MAX_OP);
+  world()->AllReduce(local, greatest, 2, vtkCommunicator::MAX_OP);
   world()->AllReduce(localSums, sum, 2, vtkCommunicator::SUM_OP);
   SplatCommons commons;
   if (all.IsValid())
@@ -191,8 +205,8 @@ SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors)
     all.GetCenter(commons.Origin);
   }
   commons.LongestEdge = greatest[0];
-  commons.MaximumSpeed = greatest[1];
-  commons.MostSamples = static_cast<vtkIdType>(greatest[2]);
+  commons.MaximumSpeed = speedsOfRanks(sums.Speeds).GetFull();
+  commons.MostSamples = static_cast<vtkIdType>(greatest[1]);
   commons.MeanCell = sum[1] > 0 && sum[0] > 0 ? sum[0] / sum[1] : 1.0;
   return commons;
 }

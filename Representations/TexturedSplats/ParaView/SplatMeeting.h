@@ -6,6 +6,7 @@
 
 #include "SplatReach.h"
 #include "SplatRegion.h"
+#include "SplatSpeeds.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -25,9 +26,12 @@ struct SplatCommons
   double Origin[3] = { 0, 0, 0 }; ///< the middle of their places
   double LongestEdge = 0;         ///< of their cells
   vtkIdType MostSamples = 0;      ///< that one rank has
-  double MaximumSpeed = 0;        ///< 0 without vectors
+  double MaximumSpeed = 0;        ///< at which vectors are fully drawn; 0 without vectors
   double MeanCell = 1;            ///< length of a sample's cell along its vector
 };
+
+/** The speeds of all ranks. Collective. */
+SpeedCounts speedsOfRanks(const SpeedCounts& mine);
 
 /** From vertices with the array of shapes that splatVertices makes; `vectors`: name of a cell array, or empty. Collective. */
 SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors);

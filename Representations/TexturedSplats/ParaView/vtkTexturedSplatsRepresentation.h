@@ -19,6 +19,7 @@
 #include "vtkTexturedSplatMapper.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for messages
 
 #include <array>  // for regions
 #include <memory> // for std::unique_ptr
@@ -167,6 +168,7 @@ private:
   double GetLoopTime() const;
   void MoveVectors();
   bool DrawsMedium();
+  void TellLongVectors(const std::string& text);
   void StoreSuited(const nephoscope::SplatSampling& sampling, const std::array<double, 6>& common);
   double GetShareOf(vtkDataSet* data);
   void SuitVectors(vtkDataSet* data);

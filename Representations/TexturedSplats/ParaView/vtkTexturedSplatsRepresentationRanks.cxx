@@ -5,6 +5,7 @@
 
 #include "ForwardedMessages.h"
 #include "RankRegions.h"
+#include "ReportedError.h"
 #include "SplatKernel.h"
 #include "SplatMeeting.h"
 #include "SplatPieces.h"
@@ -37,6 +38,7 @@ struct vtkTexturedSplatsRepresentation::vtkMeeting
   CommonsKey MetFor;
   Reaches ReachedFor;
   nephoscope::SplatCommons Commons;
+  nephoscope::ReportedError LongVectors;
   double Share = 1.0; // of the samples whose vectors are drawn
   vtkSmartPointer<vtkDataSet> Complete;
   vtkNew<vtkUnstructuredGrid> Nothing; // of a rank to which nothing was delivered
@@ -117,6 +119,15 @@ vtkDataSet* vtkTexturedSplatsRepresentation::CompletePiece(vtkDataSet* data, vtk
     meeting.ReachedFor = reached;
   }
   return meeting.Complete;
+}
+
+// The mapper tells it on one rank.
+void vtkTexturedSplatsRepresentation::TellLongVectors(const std::string& text)
+{
+  if (this->Meeting->LongVectors.IsNew(text) && GetNumberOfRanks() > 1 && IsFirstRank())
+  {
+    vtkWarningMacro(<< text);
+  }
 }
 
 void vtkTexturedSplatsRepresentation::UseCommons(

@@ -6,7 +6,9 @@
 #include "DataBlocks.h"
 #include "RankMeasures.h"
 #include "SplatMeasures.h"
+#include "SplatMeeting.h"
 #include "SplatShapes.h"
+#include "SplatVectorBounds.h"
 #include "vtkTexturedSplatMapper.h"
 
 #include "vtkColorTransferFunction.h"
@@ -124,14 +126,17 @@ void vtkTexturedSplatsRepresentation::StoreSuited(
   vtkDataArray* vectors = attributes->GetArray(name.c_str());
   const auto all = nephoscope::reduceOverRanks(
     nephoscope::measureSplats(this->Piece, sampling, vectors, {}, common));
-  const auto suited = nephoscope::suitVectors(all, common, this->GreatestSpeed);
+  const nephoscope::SpeedCounts speeds =
+    nephoscope::speedsOfRanks(nephoscope::CountSpeeds(this->Piece, sampling, vectors));
+  this->TellLongVectors(this->GreatestSpeed > 0.0 ? "" : speeds.DescribeLong(name));
+  const auto suited = nephoscope::suitVectors(all, common,
+    this->GreatestSpeed > 0.0 ? this->GreatestSpeed : speeds.GetFull(), speeds.GetNumber());
   nephoscope::storeNumbers(this->Piece, suitedName, { suited.Opacity, suited.Share });
 }
 
 double vtkTexturedSplatsRepresentation::GetShareOf(vtkDataSet* data)
 {
-  const bool isSuited =
-    this->Mapper->GetVectorStyle() == vtkTexturedSplatMapper::STREAKS && this->DrawsMedium();
+  const bool isSuited = this->Mapper->GetVectorStyle() == vtkTexturedSplatMapper::STREAKS;
   return this->VectorShare > 0.0 ? this->VectorShare : isSuited ? storedNumber(data, 1, 1.0) : 1.0;
 }
 

@@ -12,8 +12,9 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double readableLayers = 7.0;  // of streaks of the greatest speed, one behind the other
-constexpr double readableOpacity = 0.6; // of streaks of the mean speed
+constexpr double readableLayers = 7.0;     // of streaks of the greatest speed, one behind the other
+constexpr double readableStreaks = 6000.0; // 8 pixels apart on average where they fill 600 by 600
+constexpr double readableOpacity = 0.6;    // of streaks of the mean speed
 constexpr double leastOpacity = 0.8, greatestOpacity = 2.0;
 
 bool isPlace(const Vector3& place)
@@ -201,7 +202,7 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
 }
 
 SuitedVectors suitVectors(
-  const MediumMeasures& vectors, const MediumBounds& common, double greatestSpeed)
+  const MediumMeasures& vectors, const MediumBounds& common, double greatestSpeed, double count)
 {
   const double greatest = greatestSpeed > 0.0 ? greatestSpeed : vectors.ScalarRange[1];
   const double mean = greatest > 0.0 && vectors.Volume > 0.0
@@ -210,6 +211,7 @@ SuitedVectors suitVectors(
   const double layers = mean * meanSamples(vectors, common);
   SuitedVectors suited;
   suited.Share = layers > readableLayers ? std::pow(readableLayers / layers, 3.0) : 1.0;
+  suited.Share = std::min(suited.Share, readableStreaks / std::max(count, readableStreaks));
   suited.Opacity = mean > 0.0
     ? std::min(std::max(readableOpacity / mean, leastOpacity), greatestOpacity)
     : greatestOpacity;

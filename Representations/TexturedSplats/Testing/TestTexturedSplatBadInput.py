@@ -73,11 +73,39 @@ class BadInput(unittest.TestCase):
                         mapper.SetVectorStyle(style)
                         mapper.SetVectorPlacement(placement)
                     messages, mapper = self.draw(self.winds(vectors), configure)
-                    self.assertEqual(messages.all, [])
+                    told = [] if np.isfinite(vectors).all() else ["The vectors of 27 points are not drawn because array 'v' is not finite there. Blank"]
+                    self.assertEqual(len(messages.all), len(told), messages.all)
+                    for text, expected in zip(messages.warnings, told):
+                        self.assertIn(expected, text)
                     pictures.append(float_image(mapper))
                 for picture in pictures[1:]:
                     np.testing.assert_allclose(picture, pictures[0], atol=1e-6)
                 self.assertGreater(pictures[0][..., 3].max(), 0.01)
+
+    def test_vectors_that_are_not_finite_are_counted(self):
+        """Once, at points and cells; those of samples that are hidden do not count."""
+        random = np.random.default_rng(5)
+        for on_cells in (False, True):
+            data = meshes.image((4, 3, 5))
+            attributes = data.GetCellData() if on_cells else data.GetPointData()
+            count = data.GetNumberOfCells() if on_cells else data.GetNumberOfPoints()
+            vectors, hidden = random.random((count, 3)), random.random(count) < 0.4
+            vectors[random.random(count) < 0.3, 1] = np.nan
+            wrong = (np.isnan(vectors[:, 1]) & ~hidden).sum()
+            meshes.add_array(attributes, random.random(count))
+            meshes.add_array(attributes, vectors, "v")
+            meshes.add_array(attributes, hidden * np.uint8(32 if on_cells else 2), "vtkGhostType")
+            window = Window((20, 20))
+            scene = window.add_scene()
+            mapper = nephoscope.vtkTexturedSplatMapper()
+            mapper.SetVectorArrayName("v")
+            scene.add_volume(mapper, data, constant(), association="cell" if on_cells else "point")
+            scene.look((3, 4, 9), (0.5, 0.5, 0.5))
+            window.render()
+            mapper.SetPhase(0.5)
+            window.render()
+            self.assertEqual(len(window.messages.all), 1, window.messages.all)
+            self.assertIn(f"The vectors of {wrong} {'cell' if on_cells else 'point'}{'' if wrong == 1 else 's'} are not drawn because array 'v'", window.messages.warnings[0])
 
     def test_phases_without_vectors(self):
         def configure(mapper, scene):

@@ -10,6 +10,7 @@ from nephoscope_testing import meshes
 from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkPointDataToCellData
 
 PIXELS = 128
@@ -83,6 +84,44 @@ class Vectors(ImageTestCase):
             mapper.SuitVectorsToMedium()
             shares.append((mapper.GetVectorShare(), mapper.GetVectorOpacity()))
         self.assertEqual(*shares)
+
+    def outlying(self, factor):
+        """The picture of 576 winds in a disc, of which one is `factor` times as long; the length at which streaks are fully drawn; what is told."""
+        data = grid(lambda p: np.column_stack([-p[:, 1], p[:, 0], 0 * p[:, 0]]))
+        vectors = vtk_to_numpy(data.GetPointData().GetArray("v"))
+        vectors[0] *= factor
+        usual = np.percentile(np.linalg.norm(vectors, axis=1), 99)
+        mapper = self.scene(data)
+        self.window.render()
+        self.window.render()
+        return float_image(mapper)[..., 3], mapper.GetDrawnMaximumSpeed() / usual, self.window.messages.all
+
+    def test_one_long_vector_does_not_hide_the_others(self):
+        usual = self.outlying(1)
+        self.assertLess(usual[1], 1.2)
+        self.assertEqual(usual[2], [])
+        for factor in (10, 1000):
+            alpha, full, told = self.outlying(factor)
+            self.assertAlmostEqual(full, 1.25, delta=0.02)
+            self.assertGreater(alpha.mean(), (usual[1] / 1.25)**2 * 0.95 * usual[0].mean())  # shorter and fainter by as much as that
+            self.assertEqual(len(told), 1, told)
+            self.assertIn("Array 'v' has vectors of a length of up to", told[0])
+
+    def test_number_of_streaks(self):
+        """A sheet has at most 6000, and shows as many of the same winds on a finer grid; a small one shows all."""
+        shares = {}
+        for size in (60, 150, 300):
+            mapper = nephoscope.vtkTexturedSplatMapper()
+            data = grid(uniform((1, 0, 0)), size)
+            data.GetPointData().SetActiveScalars("s")
+            mapper.SetInputData(data)
+            mapper.SetVectorArrayName("v")
+            mapper.SuitVectorsToMedium(False, True)
+            self.assertEqual(mapper.GetVectorOpacity(), 2)
+            shares[size] = mapper.GetVectorFraction() * (size + 1)**2
+        self.assertEqual(shares[60], 61**2)
+        self.assertAlmostEqual(shares[150], 6000, delta=1e-6)
+        self.assertAlmostEqual(shares[300], 6000, delta=1e-6)
 
     def velocity(self, frames, window, step):
         """Least squares of the brightness that is constant along the motion; the window, which stands still, is divided out."""

@@ -3,6 +3,7 @@
 #include "SplatVectorBounds.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,6 +33,12 @@ void forVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
   }
 }
 
+// As SplatVectors has it.
+float speedOf(const Vector3& v)
+{
+  return SpeedOf({ { float(v[0]), float(v[1]), float(v[2]) } });
+}
+
 // From the centre of a sample along an axis.
 double reachOf(const SplatMatrix& jacobian, const Vector3& v, const VectorLook& look,
   double kernelRadius, std::size_t axis)
@@ -47,11 +54,28 @@ double reachOf(const SplatMatrix& jacobian, const Vector3& v, const VectorLook& 
 }
 }
 
+SpeedCounts CountSpeeds(vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* vectors)
+{
+  SpeedCounts speeds;
+  if (data && data->GetNumberOfPoints() > 0)
+  {
+    SplatSampling simple; // shapes take time, and are not used
+    simple.OnCells = sampling.OnCells;
+    simple.CellSize = 1.0;
+    simple.Frame = sampling.Frame;
+    simple.SizeArrayName = sampling.SizeArrayName;
+    simple.ShapeArrayName = sampling.ShapeArrayName;
+    forVectors(SplatShapes(data, simple), vectors,
+      [&](vtkIdType, const Vector3& v) { speeds.Add(speedOf(v)); });
+  }
+  return speeds;
+}
+
 VectorSums SumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
 {
   VectorSums sums;
   forVectors(shapes, vectors, [&](vtkIdType id, const Vector3& v) {
-    sums.Greatest = std::max(sums.Greatest, norm(v));
+    sums.Speeds.Add(speedOf(v));
     sums.Cells += ReachAlong(shapes.Jacobian(id), v);
     ++sums.Count;
   });

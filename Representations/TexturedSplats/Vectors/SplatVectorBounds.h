@@ -6,8 +6,10 @@
 
 #include "SplatReach.h"
 #include "SplatShapes.h"
+#include "SplatSpeeds.h"
 
 class vtkDataArray;
+class vtkDataSet;
 
 namespace nephoscope
 {
@@ -15,8 +17,8 @@ namespace nephoscope
 /** Sums over visible samples whose vectors are finite and not 0. */
 struct VectorSums
 {
-  double Greatest = 0; ///< speed
-  double Cells = 0;    ///< sum of the lengths of cells along their vectors
+  SpeedCounts Speeds;
+  double Cells = 0; ///< sum of the lengths of cells along their vectors
   double Count = 0;
 
   double MeanCell() const
@@ -28,6 +30,10 @@ struct VectorSums
 /** `vectors` may be null, or of other than three components: none. */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT VectorSums SumVectors(
   const SplatShapes& shapes, vtkDataArray* vectors);
+
+/** The speeds alone, in less time. `data` and `vectors` may be null. */
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SpeedCounts CountSpeeds(
+  vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* vectors);
 
 /** Extends the bounds of splats to those of their streaks, or of their segments; all of these as if they were of the greatest speed. */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT void AddVectorBounds(const SplatShapes& shapes,

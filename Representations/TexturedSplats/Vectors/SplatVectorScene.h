@@ -52,6 +52,7 @@ public:
 
   bool HasVectors() const { return std::get<0>(this->ReadFrom) != nullptr; }
   SplatVectors& GetVectors() { return this->Vectors; }
+  const SplatVectors& GetVectors() const { return this->Vectors; }
 
 private:
   using ArrayKey = std::tuple<vtkDataArray*, vtkMTimeType>;

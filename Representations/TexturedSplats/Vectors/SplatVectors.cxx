@@ -19,23 +19,16 @@ namespace nephoscope
 {
 namespace
 {
-float lengthOf(const std::array<float, 3>& v)
-{
-  return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-}
-
 double cellAlong(const SplatSamples::Jacobian& j, const std::array<float, 3>& v)
 {
   return ReachAlong({ { ToDouble(j[0]), ToDouble(j[1]), ToDouble(j[2]) } }, ToDouble(v));
 }
 
-std::array<float, 3> finiteVector(vtkDataArray* vectors, vtkIdType id)
+std::array<float, 3> vectorAt(vtkDataArray* vectors, vtkIdType id)
 {
   double v[3];
   vectors->GetTuple(id, v);
-  const bool finite = std::isfinite(v[0] + v[1] + v[2]);
-  return finite ? std::array<float, 3>{ { float(v[0]), float(v[1]), float(v[2]) } }
-                : std::array<float, 3>{ { 0, 0, 0 } };
+  return { { float(v[0]), float(v[1]), float(v[2]) } };
 }
 }
 
@@ -54,27 +47,34 @@ void SplatVectors::Read(
   this->Ids = samples.Ids;
   this->Vectors.resize(count);
   this->Seeds.resize(count);
-  this->Greatest = 0;
+  this->Speeds = SpeedCounts();
+  this->NotFinite = 0;
   double cells = 0;
   std::size_t moving = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
     // The place in the file: as it is relative to a centre it differs between ranks.
-    const double cell = lengthOf(samples.JacobianOf(i)[0]);
+    const double cell = SpeedOf(samples.JacobianOf(i)[0]);
     this->Seeds[i] = nephoscope::SeedOf(PlaceOf(data, grid, onCells, samples.Ids[i]).data(), cell);
-    this->Vectors[i] = finiteVector(vectors, samples.Ids[i]);
-    const float speed = lengthOf(this->Vectors[i]);
-    if (speed > 0 && std::isfinite(speed))
+    this->Vectors[i] = vectorAt(vectors, samples.Ids[i]);
+    const float speed = SpeedOf(this->Vectors[i]);
+    if (!std::isfinite(speed))
     {
-      this->Greatest = std::max(this->Greatest, speed);
+      this->Vectors[i] = { { 0, 0, 0 } };
+      ++this->NotFinite;
+    }
+    else if (speed > 0)
+    {
+      this->Speeds.Add(speed);
       cells += cellAlong(samples.JacobianOf(i), this->Vectors[i]);
       ++moving;
     }
   }
   this->Cell = moving > 0 && cells > 0 ? cells / static_cast<double>(moving) : 1.0;
-  if (first || this->FirstGreatest <= 0)
+  this->Full = static_cast<float>(this->Speeds.GetFull());
+  if (first || this->FirstFull <= 0)
   {
-    this->FirstGreatest = this->Greatest;
+    this->FirstFull = this->Full;
     this->FirstCell = this->Cell;
   }
 }
@@ -91,7 +91,7 @@ void SplatVectors::Advance(double time, double period)
   for (std::size_t i = 0; i < this->Vectors.size(); ++i)
   {
     double& moved = this->Moved[static_cast<std::size_t>(this->Ids[i])];
-    moved = AdvancePhase(moved, lengthOf(this->Vectors[i]), period, time);
+    moved = AdvancePhase(moved, SpeedOf(this->Vectors[i]), period, time);
   }
 }
 
@@ -124,14 +124,14 @@ std::vector<std::array<float, 4>> SplatVectors::Pack(
 {
   std::vector<std::array<float, 4>> packed;
   packed.reserve(classes.Samples.size());
-  const double greatest = loop.MaximumSpeed > 0 ? loop.MaximumSpeed : this->Greatest;
+  const double greatest = loop.MaximumSpeed > 0 ? loop.MaximumSpeed : this->Full;
   for (const std::int32_t sample : classes.Samples)
   {
     const auto i = static_cast<std::size_t>(sample);
     const std::array<float, 3> v = this->IsShown(i, loop.VectorFraction)
       ? this->Vectors[i]
       : std::array<float, 3>{ { 0, 0, 0 } };
-    const double phase = this->PhaseOf(i, lengthOf(v), greatest, loop);
+    const double phase = this->PhaseOf(i, SpeedOf(v), greatest, loop);
     packed.push_back({ { v[0], v[1], v[2], static_cast<float>(StoredPhase(phase, 0)) } });
   }
   return packed;

@@ -10,6 +10,7 @@
 #define SplatVectors_h
 
 #include "SplatSeed.h"
+#include "SplatSpeeds.h"
 
 #include "vtkType.h"
 
@@ -70,14 +71,18 @@ public:
     this->KeptTime = other.KeptTime;
   }
 
-  float MaximumSpeed() const { return this->Greatest; }
+  /** At which vectors are fully drawn. */
+  float MaximumSpeed() const { return this->Full; }
+  const SpeedCounts& GetSpeeds() const { return this->Speeds; }
+  /** Samples whose vector is not finite. */
+  std::size_t GetNumberNotFinite() const { return this->NotFinite; }
 
   /** Mean length of a sample's cell along its vector; 1 without vectors. */
   double MeanCell() const { return this->Cell; }
 
   ///@{
   /** The same of the first vectors of as many points or cells, which do not change with time. */
-  float FirstMaximumSpeed() const { return this->FirstGreatest; }
+  float FirstMaximumSpeed() const { return this->FirstFull; }
   double FirstMeanCell() const { return this->FirstCell; }
   ///@}
 
@@ -102,7 +107,9 @@ private:
   std::vector<vtkIdType> Ids;
   std::vector<double> Moved; // by each point or cell, in periods, in [0, 1)
   double KeptTime = 0;       // until which `Moved` holds the motion at true speed
-  float Greatest = 0, FirstGreatest = 0;
+  SpeedCounts Speeds;
+  std::size_t NotFinite = 0;
+  float Full = 0, FirstFull = 0;
   double Cell = 1, FirstCell = 1;
 };
 
