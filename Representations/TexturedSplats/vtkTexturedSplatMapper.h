@@ -185,7 +185,7 @@ public:
   /**
    * Sets VectorOpacity or VectorFraction, or both, so that both streaks and the medium are visible. Streaks of the mean speed get an optical depth of 0.6,
    * the fastest at least 0.8 and at most 2. A ray meets at most as many streaks as 7 samples with the greatest speed would give, and there are at most 6000
-   * streaks, which are 8 pixels apart on average where they fill a picture of 600 by 600. Hosts use the fraction without a medium too. It does nothing without
+   * streaks in a sheet, up to 7 times as many in deep data, which are 8 pixels apart on average where they fill a picture of 600 by 600. Hosts use the fraction without a medium too. It does nothing without
    * an array of vectors.
    */
   void SuitVectorsToMedium(bool opacity = true, bool share = true);

@@ -183,7 +183,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
           the mesh of a series, as `animate` draws it, in all steps.
         - ``fraction``: fraction of the samples whose vectors are drawn, chosen at random, > 0 and <= 1. Fewer streaks are longer and wider.
           Default: for segments all vectors; for streaks at most as many as give a line of sight the density of 7 streaks of the longest vectors, and
-          at most 6000, which are 8 pixels apart on average where they fill a picture of 600 by 600 pixels.
+          at most 6000 in a sheet, which are 8 pixels apart on average where they fill a picture of 600 by 600 pixels, and up to
+          seven times as many in data that are many samples deep.
         - ``unit``: length of the vector unit, in units of length of the mesh, > 0. Default: the mean length of a cell along its vector, longer if
           ``fraction`` is below 1; for the mesh of a series that of the step with the fastest vectors. To make pictures comparable, pass it and
           ``maximum_speed``.

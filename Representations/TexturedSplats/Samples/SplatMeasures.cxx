@@ -13,7 +13,8 @@ namespace nephoscope
 namespace
 {
 constexpr double readableLayers = 7.0;     // of streaks of the greatest speed, one behind the other
-constexpr double readableStreaks = 6000.0; // 8 pixels apart on average where they fill 600 by 600
+constexpr double readableStreaks = 6000.0; // of a sheet: 8 pixels apart where they fill 600 by 600
+constexpr double samplesOfSheet = 4.0;     // that a ray meets in a flat sheet, at most
 constexpr double readableOpacity = 0.6;    // of streaks of the mean speed
 constexpr double leastOpacity = 0.8, greatestOpacity = 2.0;
 
@@ -208,10 +209,13 @@ SuitedVectors suitVectors(
   const double mean = greatest > 0.0 && vectors.Volume > 0.0
     ? std::min(vectors.ScalarIntegral / vectors.Volume / greatest, 1.0)
     : 1.0;
-  const double layers = mean * meanSamples(vectors, common);
+  const double samples = meanSamples(vectors, common); // along a ray
+  const double layers = mean * samples;
+  const double sheets = std::min(std::max(samples / samplesOfSheet, 1.0), readableLayers);
   SuitedVectors suited;
   suited.Share = layers > readableLayers ? std::pow(readableLayers / layers, 3.0) : 1.0;
-  suited.Share = std::min(suited.Share, readableStreaks / std::max(count, readableStreaks));
+  suited.Share =
+    std::min(suited.Share, sheets * readableStreaks / std::max(count, sheets * readableStreaks));
   suited.Opacity = mean > 0.0
     ? std::min(std::max(readableOpacity / mean, leastOpacity), greatestOpacity)
     : greatestOpacity;

@@ -35,7 +35,8 @@ struct SuitedVectors
 
 /**
  * Such that streaks and the medium can both be seen, from the measures of the vectors: streaks of the mean speed get an optical depth of 0.6, the fastest
- * at least 0.8 and at most 2. A ray meets as many streaks as of 7 samples with the greatest speed, at most, and there are at most 6000 in all. `greatestSpeed`
+ * at least 0.8 and at most 2. A ray meets as many streaks as of 7 samples with the greatest speed, at most, and there are at most 6000 in a sheet, up to 7 times
+ * as many in deep data. `greatestSpeed`
  * 0: that of the measures; `count`: of vectors that are not 0.
  */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SuitedVectors suitVectors(
