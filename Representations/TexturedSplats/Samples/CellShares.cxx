@@ -98,8 +98,7 @@ public:
     if (this->OnCells && this->Whole.GetSize() > 0)
     {
       this->Found.Covariances.resize(this->Found.Shares.size(), {});
-      this->AddTo(
-        this->Found.Covariances[static_cast<std::size_t>(id)], this->Whole.GetCovariance(), 1);
+      AddTo(this->Found.Covariances[static_cast<std::size_t>(id)], this->Whole.GetCovariance(), 1);
     }
   }
 
