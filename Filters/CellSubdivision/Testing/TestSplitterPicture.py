@@ -42,7 +42,7 @@ class Picture(ImageTestCase):
             return centred(p) + np.random.default_rng(11).uniform(-0.1, 0.1, p.shape)
         data = meshes.Lattice(2).mesh("hexahedron", warped)
         meshes.with_field(data, lambda p: p[:, 0] + 0.5 * p[:, 1] ** 2 - 0.2 * p[:, 2])
-        self.check_picture(data, [0.85], "pieces of warped hexahedra", decompose=True)
+        self.check_picture(data, [0.85], "pieces of warped hexahedra", decompose="cones")
 
 
 if __name__ == "__main__":

@@ -107,9 +107,9 @@ def _hidden(dataset):
 
 def from_dataset(dataset, name="s", association="point", decompose=False):
     """The 3-D cells of any vtkDataSet. decompose: divide every cell into tetrahedra first (non-planar faces): hexahedra as the squares of
-    a chessboard where all cells are hexahedra that can be coloured so, others as cones."""
+    a chessboard where all cells are hexahedra that can be coloured so, others as cones. "cones": all of them as cones."""
     values, hidden = _scalars(dataset, name, association), _hidden(dataset)
-    odd = chessboard(dataset) if decompose else None
+    odd = chessboard(dataset) if decompose is True else None
     corners, faces, scalars, keys = [], [], [], []
     for i in range(dataset.GetNumberOfCells()):
         cell = dataset.GetCell(i)
