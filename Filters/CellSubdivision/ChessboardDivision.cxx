@@ -2,7 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ChessboardDivision.h"
 
-#include "TetrahedronSource.h"
+#include "HexahedronForm.h"
+
+#include "vtkCellData.h"
+#include "vtkImageData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
 
 namespace nephoscope
 {
@@ -24,6 +35,34 @@ std::array<int, 8> oddVertices(int cellType)
   }
   return odd;
 }
+}
+
+ChessboardGrid findChessboardGrid(vtkDataSet* data)
+{
+  int extent[6];
+  if (auto* image = vtkImageData::SafeDownCast(data))
+  {
+    image->GetExtent(extent);
+  }
+  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
+  {
+    rectilinear->GetExtent(extent);
+  }
+  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
+  {
+    structured->GetExtent(extent);
+  }
+  else
+  {
+    return ChessboardGrid();
+  }
+  ChessboardGrid grid;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    grid.Size[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+  }
+  grid.OddOffset = (extent[0] + extent[2] + extent[4]) & 1;
+  return grid.IsEmpty() ? ChessboardGrid() : grid;
 }
 
 std::int32_t ColoredParts::Add()

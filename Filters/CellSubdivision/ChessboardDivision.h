@@ -10,6 +10,8 @@
 #ifndef ChessboardDivision_h
 #define ChessboardDivision_h
 
+#include "ChessboardGrid.h"
+
 #include "vtkNephoscopeFiltersCellSubdivisionModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -25,6 +27,12 @@ class vtkUnstructuredGrid;
 
 namespace nephoscope
 {
+
+/** Bytes: 1 for a cell of a grid whose first vertex is even, 2 where it is odd; 3 and 4 likewise for cells of unstructured data; 0 for others. */
+constexpr const char* divisionName = "NephoscopeDivision";
+
+/** The grid of structured data with cells in three dimensions; empty for all other data. Its seam counts as open. */
+VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ChessboardGrid findChessboardGrid(vtkDataSet* data);
 
 /** Parts that belong together: what is even in one is even or odd in the whole. */
 class VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ColoredParts
@@ -71,7 +79,7 @@ private:
 };
 
 /**
- * For each cell 3 where its first vertex is even, 4 where it is odd, as divisionName in TetrahedronSource.h has it. The point with the
+ * For each cell 3 where its first vertex is even, 4 where it is odd, as divisionName has it. The point with the
  * least number of each connected part is even; parts that touch at coincident points agree there if they can. Null for data that
  * are not unstructured, have the array already, have other cells than hexahedra and voxels, or cannot be coloured.
  */

@@ -11,7 +11,7 @@
 #define TetrahedronSource_h
 
 #include "CellCorners.h"
-#include "ChessboardGrid.h"
+#include "ChessboardDivision.h"
 #include "HexahedronForm.h"
 #include "HigherOrderCells.h"
 #include "LinearCellFaces.h"
@@ -22,11 +22,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
-#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
-#include "vtkRectilinearGrid.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -38,38 +35,6 @@
 
 namespace nephoscope
 {
-
-/** Bytes: 1 for a cell of a grid whose first vertex is even, 2 where it is odd; 3 and 4 for cells of ChessboardDivision.h; 0 for others. */
-constexpr const char* divisionName = "NephoscopeDivision";
-
-/** The grid of structured data with cells in three dimensions; empty for all other data. Its seam counts as open. */
-inline ChessboardGrid findChessboardGrid(vtkDataSet* data)
-{
-  int extent[6];
-  if (auto* image = vtkImageData::SafeDownCast(data))
-  {
-    image->GetExtent(extent);
-  }
-  else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
-  {
-    rectilinear->GetExtent(extent);
-  }
-  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
-  {
-    structured->GetExtent(extent);
-  }
-  else
-  {
-    return ChessboardGrid();
-  }
-  ChessboardGrid grid;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    grid.Size[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
-  }
-  grid.OddOffset = (extent[0] + extent[2] + extent[4]) & 1;
-  return grid.IsEmpty() ? ChessboardGrid() : grid;
-}
 
 class TetrahedronSource
 {

@@ -65,7 +65,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         coincident points merged; blocks without 3-D cells or without the requested arrays are skipped, with a warning. A 3-D numpy array becomes
         an ImageData, data of xarray become the mesh of ``dataset.nephoscope.mesh()``.
     scalars : str or numpy.ndarray, optional
-        Name of a point or cell array, or values of shape (n_points,) or (n_cells,). What a masked array masks is missing. Default: the active scalars, otherwise the first numeric
+        Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Masked values count as missing. Default: the active scalars, otherwise the first numeric
         array; none if `color` is given or the grid has no arrays. Unlike `add_volume`, this does not change `grid`.
     color : ColorLike, optional
         One colour for the whole volume; `scalars` then set the opacity only. Without `scalars` the medium is uniform. Default for a grid

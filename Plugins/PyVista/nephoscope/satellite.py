@@ -223,7 +223,7 @@ def _resolved(mesh: pyvista.DataSet, names: list[str]) -> pyvista.DataSet:
 def _warn_of_steps(mesh: pyvista.DataSet) -> None:
     step = step_of(mesh) if isinstance(mesh, pyvista.StructuredGrid) else np.degrees(np.arccos(1 - light_image.sag(mesh))) * 2**0.5
     if step > 1.3 * FINE:
-        warnings.warn(f"The light was computed at points {step:.2g} degrees apart, which may be a tenth too little where clouds are patchy: steps of at most {FINE:g} degrees resolve it.",
+        warnings.warn(f"The light was computed at points {step:.2g} degrees apart. Where clouds are patchy, reflectances may be a tenth too low: use points at most {FINE:g} degrees apart.",
                       UserWarning, stacklevel=level_of_caller())
 
 

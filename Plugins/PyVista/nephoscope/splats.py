@@ -127,7 +127,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         splats are balls. Surface blocks next to blocks of 3-D cells, and blocks without the requested arrays, are skipped, with a warning. Data
         of xarray become the mesh of ``dataset.nephoscope.mesh()``. It is not changed.
     scalars : str or numpy.ndarray, optional
-        Name of a point or cell array, or values for all points or all cells; what a masked array masks is missing. A cell array makes one splat per cell. Default: the active scalars,
+        Name of a point or cell array, or values for all points or all cells; masked values count as missing. A cell array makes one splat per cell. Default: the active scalars,
         otherwise the first numeric array; none if `color` is given or the mesh has no arrays.
     color : ColorLike, optional
         One colour for all splats; `scalars` then set the opacity only. Without `scalars` the medium is uniform. Default for a mesh without

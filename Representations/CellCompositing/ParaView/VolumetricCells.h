@@ -30,7 +30,7 @@ vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data);
 
 /**
  * The visible cells as an unstructured grid, without ghost arrays, which ParaView may spread over ranks. Those of a grid keep its division into
- * tetrahedra (divisionName in TetrahedronSource.h).
+ * tetrahedra (divisionName in ChessboardDivision.h).
  */
 vtkSmartPointer<vtkUnstructuredGrid> visibleCells(vtkDataSet* data);
 

@@ -89,10 +89,9 @@ vec4 contourColor(int contour, float s)
   return surface;
 }
 
-// Premultiplied colour and alpha of a contour surface at a place, where the colour function's scalar is s; the normal in model coordinates.
-vec4 contourSurface(int contour, float s, vec3 normal, vec3 positionVC)
+// Premultiplied colour and alpha of a surface as it is seen: lit, and hazed; the normal in model coordinates.
+vec4 surfaceSeen(vec4 surface, vec3 normal, vec3 positionVC)
 {
-  vec4 surface = contourColor(contour, s);
   if (contourLighting)
   {
     surface.rgb = litColor(surface.rgb, unit(gradientMatrix * normal), positionVC);
@@ -102,6 +101,12 @@ vec4 contourSurface(int contour, float s, vec3 normal, vec3 positionVC)
   surface = hazedLight(surface, positionVC);
 #endif
   return surface;
+}
+
+// The same of a contour, where the colour function's scalar is s.
+vec4 contourSurface(int contour, float s, vec3 normal, vec3 positionVC)
+{
+  return surfaceSeen(contourColor(contour, s), normal, positionVC);
 }
 
 // Normal to the level sets of a linear field over a tetrahedron; its sign and length do not matter.

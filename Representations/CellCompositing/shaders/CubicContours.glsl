@@ -5,7 +5,7 @@
 // Along a ray through a cell the field is a polynomial of third degree. It is cut where it turns back, so that a value lies at most once
 // between two cuts, at a root. The ray knows the layer that it is in, the number of values at or below the scalar, from one cell to the
 // next: a surface in a face is crossed once, whatever rounding does to the scalar there.
-// Constant: useContours.
+// Constant: useContours. Uses pointAtCorner(corner): the point at a corner of the cell, 0 or 1 along each axis.
 CubicField contourField = noField;
 vec2 layerReach = vec2(0.0); // scalars of the layer: from, and below
 int contourLayerOfRay = 0;
@@ -79,4 +79,17 @@ int contourInPiece(inout float to)
 void passContour(int contour)
 {
   enterContourLayer(contour < contourLayerOfRay ? contourLayerOfRay - 1 : contourLayerOfRay + 1);
+}
+
+// The gradient at a place in the cell, in model coordinates, from those at its points.
+vec3 smoothGradient(vec3 p)
+{
+  vec3 sum = vec3(0.0);
+  for (int number = 0; number < 8; ++number)
+  {
+    ivec3 corner = ivec3(number & 1, (number >> 1) & 1, number >> 2);
+    vec3 w = mix(1.0 - p, p, vec3(corner));
+    sum += w.x * w.y * w.z * element(contourGradients, pointAtCorner(corner)).xyz;
+  }
+  return sum;
 }

@@ -5,6 +5,11 @@
 
 const bool contoursInCells = useContours && !useCellScalars;
 
+int pointAtCorner(ivec3 corner)
+{
+  return pointOfRing(corner.x, corner.y, corner.z);
+}
+
 //NEPHOSCOPE::CubicContours
 
 // The layer of a scalar where the ray passes the ring. It lies between the scalars of the ring, which both cells have in common.
@@ -20,18 +25,6 @@ vec2 rangeOfRing()
 
 // Where the ray enters and leaves the cell, in fractions of the ways along AB, AD and AE of the ring through which it enters.
 vec3 placeEntered = vec3(0.0), placeLeft = vec3(0.0);
-
-vec3 smoothGradient(vec3 p)
-{
-  vec3 sum = vec3(0.0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    ivec3 c = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-    vec3 w = mix(1.0 - p, p, vec3(c));
-    sum += w.x * w.y * w.z * element(contourGradients, pointOfRing(c.x, c.y, c.z)).xyz;
-  }
-  return sum;
-}
 
 // In model coordinates; the sign and the length do not matter. The ring must still be that of the cell.
 vec3 contourNormal()

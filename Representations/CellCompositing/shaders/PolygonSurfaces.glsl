@@ -23,15 +23,7 @@ vec4 polygonSurface(int number, vec3 weights, float s, vec3 crossingVC)
     }
     surface.rgb = evaluateColor(findInterval(transferNodes, transferTable, s), s).rgb;
   }
-  if (contourLighting)
-  {
-    vec3 normal = weights.x * element(polygonSurfaces, texel + 1).xyz + weights.y * element(polygonSurfaces, texel + 2).xyz +
-      weights.z * element(polygonSurfaces, texel + 3).xyz;
-    surface.rgb = litColor(surface.rgb, unit(gradientMatrix * normal), crossingVC);
-  }
-  surface = vec4(surface.a * surface.rgb, surface.a);
-#ifdef NEPHOSCOPE_HAZE
-  surface = hazedLight(surface, crossingVC);
-#endif
-  return surface;
+  vec3 normal = weights.x * element(polygonSurfaces, texel + 1).xyz + weights.y * element(polygonSurfaces, texel + 2).xyz +
+    weights.z * element(polygonSurfaces, texel + 3).xyz;
+  return surfaceSeen(surface, normal, crossingVC);
 }

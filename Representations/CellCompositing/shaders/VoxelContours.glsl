@@ -5,6 +5,12 @@
 uniform FloatArray contourSquares; // where contours are of another array than colour; above `missing` where that has no value
 const float missing = 1.0e38;
 
+int pointAtCorner(ivec3 corner)
+{
+  ivec3 c = ivec3(cellAdded) + corner;
+  return c.x + c.y * stride.y + c.z * stride.z;
+}
+
 //NEPHOSCOPE::CubicContours
 
 vec4 contourSquare(int first)
@@ -33,40 +39,21 @@ vec3 gradientOfSquares(vec4 a, vec4 b, vec3 p)
   return vec3(mix(mix(x.x, x.y, p.y), mix(x.z, x.w, p.y), p.z), mix(s.y - s.x, s.w - s.z, p.z), up.y - up.x);
 }
 
-vec3 smoothGradient(int first, vec3 p)
-{
-  vec3 sum = vec3(0.0);
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    ivec3 c = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-    vec3 w = mix(1.0 - p, p, vec3(c));
-    sum += w.x * w.y * w.z * element(contourGradients, first + c.x + c.y * stride.y + c.z * stride.z).xyz;
-  }
-  return sum;
-}
-
 // In model coordinates; the sign and the length do not matter.
 vec3 contourNormal(float way)
 {
   vec3 p = clamp(rayStart + way * raySlope - cellAdded, 0.0, 1.0);
-  ivec3 c = ivec3(cellAdded);
-  int first = c.x + c.y * stride.y + c.z * stride.z;
+  int first = pointAtCorner(ivec3(0));
   vec3 gradient = vec3(0.0);
   if (smoothContourNormals)
   {
-    gradient = smoothGradient(first, p);
+    gradient = smoothGradient(p);
   }
   if (gradient == vec3(0.0))
   {
     gradient = gradientOfSquares(contourSquare(first), contourSquare(first + 1), p) * mat3(toNumbers);
   }
   return gradient;
-}
-
-void addSurface(int contour, vec3 place)
-{
-  vec3 normal = contourLighting ? contourNormal(place.x) : vec3(0.0);
-  light += (1.0 - light.a) * contourSurface(contour, place.y, normal, (MCVCMatrix * vec4(origin + place.x * along, 1.0)).xyz);
 }
 
 vec3 pieceFront = vec3(0.0);
