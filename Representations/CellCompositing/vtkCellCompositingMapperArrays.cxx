@@ -154,7 +154,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
     vtkWarningMacro(
       << cellsAre(geometry.NumberOfWarpedCells)
       << " drawn wrong: so warped that the tetrahedra they are divided into overlap. Set CellInterpolation to Trilinear, and draw "
-         "contours of another array, layers, an opacity array and overlapping volumes without these cells.");
+         "layers, an opacity array and overlapping volumes without these cells.");
   }
   this->WarnAboutFolds(input, geometry);
   // On several processes one may have copies of the others' cells alone.

@@ -38,9 +38,7 @@ CellGeometry::Form formOfCells(bool byRays, bool crossesWholeCells, int interpol
 // Nothing that is asked for needs tetrahedra.
 bool vtkCellCompositingMapper::MayCrossWholeCells() const
 {
-  const bool ofOtherArray = this->Internals->Contoured.Array != nullptr;
-  return this->UsesRays() && !this->Internals->Mixed && !this->HasPolygonsOrLayers() &&
-    (this->GetNumberOfContourValues() == 0 || !ofOtherArray);
+  return this->UsesRays() && !this->Internals->Mixed && !this->HasPolygonsOrLayers();
 }
 
 // The field of cells that rays cross as a whole.

@@ -164,10 +164,8 @@ bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
   nephoscope::PickMedium medium{ scene.GetOpacityFunctions(), scene.GetTablesOfTetrahedra(),
     length * this->OpacityScale / volume->GetProperty()->GetScalarOpacityUnitDistance() };
   addSurfaces(scene.GetContours(), medium);
-  const bool whole = this->MayCrossWholeCells() ||
-    (geometry.Lattice.Found && scene.GetContours().IsUsed() && !this->HasPolygonsOrLayers());
   vtkNew<vtkGenericCell> cell;
-  if (this->IsTrilinear() && whole && !geometry.HasOpacityScalars &&
+  if (this->IsTrilinear() && this->MayCrossWholeCells() && !geometry.HasOpacityScalars &&
     (!geometry.Hexahedra.empty() || !geometry.Grid.IsEmpty()))
   {
     medium.Scalar = [&](std::int64_t number, double parameter) {

@@ -7,7 +7,9 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkVolumeProperty.h"
 
@@ -42,6 +44,21 @@ std::vector<float> colorScalars(const CellGeometry& geometry)
     scalars.push_back(p.Scalar);
   }
   return scalars;
+}
+
+// Where other ranks have some of the cells.
+std::vector<std::array<float, 4>> storedGradients(vtkDataArray* array)
+{
+  std::vector<std::array<float, 4>> gradients(static_cast<std::size_t>(array->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < gradients.size(); ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      gradients[i][c] =
+        static_cast<float>(array->GetComponent(static_cast<vtkIdType>(i), static_cast<int>(c)));
+    }
+  }
+  return gradients;
 }
 }
 
@@ -147,7 +164,10 @@ void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geomet
   this->Gradients.clear();
   if (smooth)
   {
-    this->Gradients = pointGradients(geometry, ofColor ? colorScalars(geometry) : this->Scalars);
+    vtkDataArray* stored = data->GetPointData()->GetArray(storedGradientsName);
+    this->Gradients = stored
+      ? storedGradients(stored)
+      : pointGradients(data, geometry, ofColor ? colorScalars(geometry) : this->Scalars);
   }
 }
 

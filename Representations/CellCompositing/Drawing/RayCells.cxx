@@ -109,9 +109,8 @@ std::string RayCells::OwnConstants() const
 bool RayCells::DrawsHexahedra(const CellDrawing& drawing) const
 {
   return this->HasHexahedra ||
-    (drawing.Options.Trilinear && !this->Grid.IsEmpty() && !drawing.Contours.HasScalars() &&
-      !drawing.Contours.HasPolygons() && !drawing.Buffers.HasLayers() &&
-      !drawing.Buffers.HasOpacityScalars());
+    (drawing.Options.Trilinear && !this->Grid.IsEmpty() && !drawing.Contours.HasPolygons() &&
+      !drawing.Buffers.HasLayers() && !drawing.Buffers.HasOpacityScalars());
 }
 
 bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)

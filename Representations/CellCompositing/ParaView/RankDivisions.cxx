@@ -4,13 +4,10 @@
 
 #include "ChessboardDivision.h"
 #include "TetrahedronSource.h"
+#include "VolumetricCells.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkGeometryFilter.h"
-#include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +20,6 @@ namespace nephoscope
 {
 namespace
 {
-constexpr const char* pointNumbers = "NephoscopePointNumbers";
-
 /** A point of a surface. Its code is twice the number of its whole among those of all ranks, and 1 more where it is odd. */
 struct SurfacePoint
 {
@@ -59,34 +54,12 @@ std::pair<int, int> countWholes(vtkMultiProcessController* controller, int mine)
     std::accumulate(counts.begin(), counts.end(), 0) };
 }
 
-vtkSmartPointer<vtkPolyData> surfaceOf(vtkUnstructuredGrid* cells)
-{
-  vtkNew<vtkUnstructuredGrid> bare;
-  bare->CopyStructure(cells);
-  vtkNew<vtkIdTypeArray> numbers;
-  numbers->SetName(pointNumbers);
-  numbers->SetNumberOfValues(cells->GetNumberOfPoints());
-  std::iota(numbers->Begin(), numbers->End(), 0);
-  bare->GetPointData()->AddArray(numbers);
-  vtkNew<vtkGeometryFilter> surface;
-  surface->SetInputData(bare);
-  surface->Update();
-  return surface->GetOutput();
-}
-
 std::vector<SurfacePoint> surfacePoints(
   vtkUnstructuredGrid* cells, ChessboardColors& colors, int firstWhole)
 {
   std::vector<SurfacePoint> points;
-  if (cells->GetNumberOfCells() == 0)
+  for (const vtkIdType number : pointsOfSurface(cells))
   {
-    return points;
-  }
-  const vtkSmartPointer<vtkPolyData> surface = surfaceOf(cells);
-  auto* numbers = vtkIdTypeArray::SafeDownCast(surface->GetPointData()->GetArray(pointNumbers));
-  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfValues(); ++i)
-  {
-    const vtkIdType number = numbers->GetValue(i);
     const auto color = colors.ColorOf(number);
     double x[3];
     cells->GetPoint(number, x);

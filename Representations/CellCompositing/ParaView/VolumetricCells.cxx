@@ -8,11 +8,15 @@
 
 #include "vtkCellData.h"
 #include "vtkExtractCells.h"
+#include "vtkGeometryFilter.h"
+#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyhedronToTetrahedra.h"
 #include "vtkRectilinearGrid.h"
+
+#include <numeric>
 
 namespace nephoscope
 {
@@ -179,6 +183,29 @@ WholeCells formOfWholeCells(vtkUnstructuredGrid* cells)
     }
   }
   return warped ? WholeCells::Trilinear : WholeCells::Either;
+}
+
+std::vector<vtkIdType> pointsOfSurface(vtkUnstructuredGrid* cells)
+{
+  if (cells->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  constexpr const char* pointNumbers = "NephoscopePointNumbers";
+  vtkNew<vtkUnstructuredGrid> bare;
+  bare->CopyStructure(cells);
+  vtkNew<vtkIdTypeArray> numbers;
+  numbers->SetName(pointNumbers);
+  numbers->SetNumberOfValues(cells->GetNumberOfPoints());
+  std::iota(numbers->Begin(), numbers->End(), 0);
+  bare->GetPointData()->AddArray(numbers);
+  vtkNew<vtkGeometryFilter> surface;
+  surface->SetInputData(bare);
+  surface->Update();
+  auto* onSurface =
+    vtkIdTypeArray::SafeDownCast(surface->GetOutput()->GetPointData()->GetArray(pointNumbers));
+  return onSurface ? std::vector<vtkIdType>(onSurface->Begin(), onSurface->End())
+                   : std::vector<vtkIdType>();
 }
 
 vtkSmartPointer<vtkDataSet> withoutGhosts(vtkDataSet* cells)

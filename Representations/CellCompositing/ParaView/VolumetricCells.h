@@ -7,6 +7,9 @@
 #define VolumetricCells_h
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <vector>
 
 class vtkDataObject;
 class vtkDataSet;
@@ -42,6 +45,9 @@ enum class WholeCells
   Trilinear ///< by default: some are so warped that their tetrahedra overlap
 };
 WholeCells formOfWholeCells(vtkUnstructuredGrid* cells);
+
+/** The numbers of the points on the outside of the cells. */
+std::vector<vtkIdType> pointsOfSurface(vtkUnstructuredGrid* cells);
 
 /** The delivered cells without the flags of those that other ranks have, too. */
 vtkSmartPointer<vtkDataSet> withoutGhosts(vtkDataSet* cells);

@@ -91,6 +91,7 @@ protected:
 
   void PreparePiece(vtkDataObject* input) override;
   void MovePiece(vtkMatrix4x4* matrix) override;
+  void FinishPiece() override;
   void DescribePiece(vtkInformation* inInfo) override;
   vtkDataSet* CompletePiece(vtkDataSet* data, vtkInformation* inInfo) override;
   void PrepareMapper(vtkDataSet* cells) override;
@@ -107,6 +108,8 @@ private:
   void MakeListOfCells(bool areEven);
   void EndRaysAt(const std::array<double, 6>& region);
   int ChooseInterpolation(vtkDataSet* cells) const;
+  bool NeedsGradients() const;
+  void FollowContours();
   void PrepareContours();
   void PreparePolygons();
   double FindContourOpacity(std::size_t i) const;
@@ -122,6 +125,7 @@ private:
   vtkSmartPointer<vtkDataSet> Complete; // what is drawn of a delivered piece
   vtkDataSet* Delivered = nullptr;      // only compared
   vtkMTimeType DeliveredTime = 0;
+  bool HasGradients = false; // the piece, of the normals of contour surfaces
   int VisibilityOrder = 0;
   int CellInterpolation; // the mapper's default at first
   double ContourOpacity = 0.3;

@@ -68,6 +68,7 @@ void vtkCellCompositingRepresentation::SetContourValue(int i, double value)
 void vtkCellCompositingRepresentation::SetNumberOfContourValues(int number)
 {
   this->Mapper->SetNumberOfContourValues(number);
+  this->FollowContours();
 }
 
 void vtkCellCompositingRepresentation::SetContourOpacities(int i, double opacity)
@@ -93,17 +94,24 @@ void vtkCellCompositingRepresentation::SetNumberOfContourColors(int number)
 
 void vtkCellCompositingRepresentation::SetContourArray(const char* name)
 {
-  this->Mapper->SetContourArrayName(arrayName(name));
+  if (arrayName(name) != this->Mapper->GetContourArrayName())
+  {
+    this->Mapper->SetContourArrayName(arrayName(name));
+    this->HasGradients = false; // they are those of another array
+    this->FollowContours();
+  }
 }
 
 void vtkCellCompositingRepresentation::SetContourLighting(bool lighting)
 {
   this->Mapper->SetContourLighting(lighting);
+  this->FollowContours();
 }
 
 void vtkCellCompositingRepresentation::SetSmoothContourNormals(bool smooth)
 {
   this->Mapper->SetSmoothContourNormals(smooth);
+  this->FollowContours();
 }
 
 void vtkCellCompositingRepresentation::SetLayerArray(const char* name)
@@ -135,6 +143,21 @@ void vtkCellCompositingRepresentation::SetNumberOfLayerColors(int number)
 void vtkCellCompositingRepresentation::AddLayerColorFunction(vtkScalarsToColors* function)
 {
   this->LayerColorFunctions.emplace_back(vtkColorTransferFunction::SafeDownCast(function));
+}
+
+// On one rank the mapper finds the normals. On several it lacks the cells of the others.
+bool vtkCellCompositingRepresentation::NeedsGradients() const
+{
+  return GetNumberOfRanks() > 1 && this->Mapper->GetNumberOfContourValues() > 0 &&
+    this->Mapper->GetContourLighting() && this->Mapper->GetSmoothContourNormals();
+}
+
+void vtkCellCompositingRepresentation::FollowContours()
+{
+  if (this->NeedsGradients() && !this->HasGradients)
+  {
+    this->MarkModified();
+  }
 }
 
 double vtkCellCompositingRepresentation::FindContourOpacity(std::size_t i) const

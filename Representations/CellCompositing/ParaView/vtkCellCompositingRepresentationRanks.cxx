@@ -5,6 +5,7 @@
 
 #include "DataBlocks.h"
 #include "RankDivisions.h"
+#include "RankGradients.h"
 #include "RankRegions.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
@@ -43,6 +44,20 @@ void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
   {
     this->AxisAligned = false;
     this->MakeListOfCells(LeastOverRanks(isImage ? 1 : 0) == 1);
+  }
+}
+
+void vtkCellCompositingRepresentation::FinishPiece()
+{
+  this->HasGradients = this->NeedsGradients();
+  if (this->HasGradients)
+  {
+    const std::string& chosen = this->Mapper->GetContourArrayName();
+    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    const char* name = chosen.c_str();
+    const bool isFound = !chosen.empty() || this->FindColorArray(this->Piece, association, name);
+    const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+    nephoscope::storeRankGradients(this->Piece, isFound && onPoints ? name : nullptr);
   }
 }
 

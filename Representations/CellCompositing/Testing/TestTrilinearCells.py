@@ -18,6 +18,7 @@ from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_VOXEL, vtkCellLoc
                                            vtkPlaneCollection, vtkPolyData, vtkStaticCellLocator)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkProbeFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 
 COLOURS = [(0, 0.1, 0.2, 1), (0.5, 0.2, 1, 0.3), (1, 1, 0.1, 0)]
 RAMP = Transfer(COLOURS, [(0, 0), (1, 1)], unit_distance=0.4)
@@ -133,7 +134,7 @@ class Drawn:
         return float_image(self.mapper)
 
 
-def probed(data, places):
+def probed(data, places, name="s"):
     """By VTK's cells. What is outside the bounds is not looked for, which would take most of the time."""
     low, high = np.array(data.GetBounds()).reshape(3, 2).T
     near = np.flatnonzero(np.all((places >= low) & (places <= high), axis=1))
@@ -147,13 +148,14 @@ def probed(data, places):
     probe.Update()
     found = probe.GetOutput().GetPointData()
     values, inside = np.zeros(len(places)), np.zeros(len(places), bool)
-    values[near] = vtk_to_numpy(found.GetArray("s"))
+    values[near] = vtk_to_numpy(found.GetArray(name))
     inside[near] = vtk_to_numpy(found.GetArray("vtkValidPointMask")) > 0
     return values, inside
 
 
 def crossed(contoured, inside, surfaces):
-    """For each surface, (value, opacity, colour): where it lies between two samples of a ray."""
+    """For each surface, (value, opacity, colour): where it lies between two samples of a ray. None where a value is missing."""
+    inside = inside & np.isfinite(contoured)
     for value, opacity, rgb in surfaces:
         above = contoured >= value
         between = np.zeros(above.shape, bool)
@@ -355,12 +357,15 @@ class TrilinearCells(unittest.TestCase):
             self.assert_same(one, cut, label + " as tetrahedra", 4 * STEP)  # of a smooth field
 
     def test_what_needs_tetrahedra_is_drawn_as_these(self):
-        """Contours of another array."""
+        """Layers between contours."""
         data = unstructured(with_values(tapered(), steep))
-        meshes.add_array(data.GetPointData(), steep(meshes.points_of(data))[::-1].copy(), "t")
+        denser = vtkVolumeProperty()
+        denser.DeepCopy(Drawn(data, CLEAR_BELOW).volume.GetProperty())
+        denser.SetScalarOpacityUnitDistance(0.5 * denser.GetScalarOpacityUnitDistance())
 
         def contours(_scene, made):
-            made.SetContourArrayName("t")
+            made.SetLayersFromContours(True)
+            made.SetLayerProperty(1, denser)
             made.SetContourValue(0, 0.6)
 
         one, other = (Drawn(data, CLEAR_BELOW, contours, trilinear=t).picture() for t in (True, False))
@@ -370,6 +375,8 @@ class TrilinearCells(unittest.TestCase):
         contours(None, drawn.mapper)
         self.assert_same(drawn.picture(), one, "contours added", 0)
         drawn.mapper.SetNumberOfContourValues(0)
+        drawn.mapper.SetLayersFromContours(False)
+        drawn.mapper.SetLayerProperty(1, None)
         self.assert_same(drawn.picture(), plain, "and taken away", 0)
 
     def test_blocks_hold_together(self):

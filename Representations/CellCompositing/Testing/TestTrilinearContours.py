@@ -8,7 +8,7 @@ import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import float_image
 from nephoscope_testing.transfer import Transfer
-from TestTrilinearCells import (COLOURS, RAMP, STEP, VIEWS, bent, dense, rectilinear, smooth, steep, tapered, trilinear_field, unstructured,
+from TestTrilinearCells import (COLOURS, RAMP, STEP, VIEWS, bent, dense, probed, rectilinear, smooth, steep, tapered, trilinear_field, unstructured,
                                 with_values)
 from TestTrilinearVoxels import ByDefault, grid, other
 
@@ -78,6 +78,32 @@ class TrilinearContours(unittest.TestCase):
                 field = trilinear_field(data) if association == "point" else lambda p: (np.full(len(p), 0.5), np.abs(p).max(axis=1) <= 0.5)
                 expected = dense(data, drawn.scene.view(), RAMP, field, 3000, surfaces=SURFACES, contoured=trilinear_field(data, "t"))
                 self.check(image, expected, f"another array, {association}, {name}", 3)
+
+    def check_another_array(self, data, field_of, label, association, most):
+        meshes.add_array(data.GetCellData(), np.full(data.GetNumberOfCells(), 0.5), "s")
+        for view in ("far", "diagonal", "inside"):
+            expected = None
+            for stored in (data, unstructured(data)):
+                drawn = self.drawn(stored, RAMP, association=association, interpolation="Trilinear")
+                drawn.mapper.SetContourArrayName("t")
+                image = drawn.picture(VIEWS[view])
+                if expected is None:
+                    colour = field_of("s") if association == "point" else lambda p: (np.full(len(p), 0.5), field_of("t")(p)[1])
+                    expected = dense(data, drawn.scene.view(), RAMP, colour, 2000, surfaces=SURFACES, contoured=field_of("t"))
+                self.check(image, expected, f"{label} by {association}, {stored.GetClassName()}, {view}", most)
+                self.assertEqual(drawn.window.messages.all, [])
+
+    def test_another_array_in_hexahedra(self):
+        """Coloured by points and by cells. A missing value takes the surfaces of the cells around it away, and nothing else."""
+        for name, data, association, most in (("even", grid(smooth), "point", 3), ("missing", grid(smooth), "point", 3), ("tapered", tapered(), "cell", 3),
+                                              ("bent", bent(), "point", 4)):
+            with_values(data, smooth)
+            values = other(meshes.points_of(data)).astype(np.float32)
+            if name == "missing":
+                values[len(values) // 2] = np.nan
+            meshes.add_array(data.GetPointData(), values, "t")
+            self.check_another_array(data, lambda array, d=data, n=name: trilinear_field(d, array) if n in ("even", "missing")
+                                     else lambda p: probed(d, p, array), name, association, most)
 
     def test_an_opacity_array(self):
         data = grid(smooth)

@@ -50,6 +50,11 @@ struct CubicField
 
 const CubicField noField = CubicField(vec4(0.0), vec2(0.0), vec2(0.0));
 
+CubicField levelField(float value)
+{
+  return CubicField(vec4(value, 0.0, 0.0, 0.0), vec2(value), vec2(value));
+}
+
 float fieldAt(CubicField field, float t)
 {
   return clamp(cubicAt(field.cubic, t), field.range.x, field.range.y);

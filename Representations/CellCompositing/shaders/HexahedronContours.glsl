@@ -1,9 +1,70 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Contour surfaces in hexahedra, of the coloured array.
-// Constants: contourLighting, smoothContourNormals.
+// Contour surfaces in hexahedra.
+// Constants: contourLighting, contourOfColor, smoothContourNormals.
+uniform FloatArray contourScalars; // where contours are of another array than colour
 
-const bool contoursInCells = useContours && !useCellScalars;
+const bool contoursInCells = useContours && !(useCellScalars && contourOfColor);
+
+// What is contoured at the vertices of the cell: A to D, and E to H.
+vec4 contourNear = vec4(0.0), contourFar = vec4(0.0);
+bool hasContourValues = true;
+
+float contourScalarAt(int b, int d, int ahead)
+{
+  return element(contourScalars, pointOfRing(b, d, ahead)).r;
+}
+
+// Before the ring goes on. Those of the coloured array are at hand.
+void seeContours()
+{
+  if (contoursInCells && !contourOfColor)
+  {
+    contourNear = vec4(contourScalarAt(0, 0, 0), contourScalarAt(1, 0, 0), contourScalarAt(1, 1, 0), contourScalarAt(0, 1, 0));
+    contourFar = vec4(contourScalarAt(0, 0, 1), contourScalarAt(1, 0, 1), contourScalarAt(1, 1, 1), contourScalarAt(0, 1, 1));
+    hasContourValues = !isnan(dot(contourNear + contourFar, vec4(1.0)));
+  }
+  else if (contoursInCells)
+  {
+    contourNear = vec4(walkA.w, walkB.w, walkC.w, walkD.w);
+    contourFar = vec4(walkE.w, walkF.w, walkG.w, walkH.w);
+  }
+}
+
+vec2 rangeOfFour(vec4 s)
+{
+  return vec2(lesser(lesser(s.x, s.y), lesser(s.z, s.w)), greater(greater(s.x, s.y), greater(s.z, s.w)));
+}
+
+vec2 rangeOfContours()
+{
+  vec2 a = rangeOfFour(contourNear), b = rangeOfFour(contourFar);
+  return vec2(lesser(a.x, b.x), greater(a.y, b.y));
+}
+
+// In the face through which the ray leaves the cell.
+vec2 rangeOfContoursBehind(int exit)
+{
+  vec4 n = contourNear, f = contourFar;
+  return rangeOfFour(exit == exitAhead ? f : exit == exitAB ? vec4(n.xy, f.xy) : exit == exitBC ? vec4(n.yz, f.yz)
+    : exit == exitCD ? vec4(n.zw, f.zw) : vec4(n.wx, f.wx));
+}
+
+// At a place in the cell: what is contoured, and what a step along AB, AD and AE changes.
+vec4 contouredAt(vec3 p)
+{
+  vec4 level = mix(contourNear, contourFar, p.z), on = contourFar - contourNear;
+  float low = mix(level.x, level.y, p.x), high = mix(level.w, level.z, p.x);
+  return vec4(mix(low, high, p.y), mix(level.y - level.x, level.z - level.w, p.y), high - low,
+    mix(mix(on.x, on.y, p.x), mix(on.w, on.z, p.x), p.y));
+}
+
+// At the point of the ray next to a place in the cell, found last.
+float contouredBeside(vec3 p)
+{
+  vec4 here = contouredAt(p);
+  return here.x + dot(here.yzw, stepsToRay);
+}
 
 int pointAtCorner(ivec3 corner)
 {
@@ -16,11 +77,6 @@ int pointAtCorner(ivec3 corner)
 int layerInRing(float scalar, vec2 range)
 {
   return contourLayer(clamp(scalar, range.x, range.y));
-}
-
-vec2 rangeOfRing()
-{
-  return vec2(lesser(lesser(walkA.w, walkB.w), lesser(walkC.w, walkD.w)), greater(greater(walkA.w, walkB.w), greater(walkC.w, walkD.w)));
 }
 
 // Where the ray enters and leaves the cell, in fractions of the ways along AB, AD and AE of the ring through which it enters.
@@ -39,21 +95,27 @@ vec3 contourNormal()
   {
     mat3x4 changes = changesInCell(p);
     vec3 right = changes[0].xyz, up = changes[1].xyz, on = changes[2].xyz;
-    vec3 seen = changes[0].w * cross(up, on) + changes[1].w * cross(on, right) + changes[2].w * cross(right, up);
+    vec3 change = contouredAt(p).yzw;
+    vec3 seen = change.x * cross(up, on) + change.y * cross(on, right) + change.z * cross(right, up);
     gradient = seen.x * across1 + seen.y * across2 + seen.z * along;
   }
   return gradient;
 }
 
-// What the ring is before the ray crosses the cell, and after: the layers at the ends of its way.
-void findLayersOfCell(vec2 ringBefore, float front, float back)
+// The layers at the ends of the way through the cell. `values`: what is contoured at its ends and its thirds.
+void findLayersOfCell(vec4 values, int exit)
 {
-  if (crossesContours())
+  vec2 ofRay = rangeOfFour(values);
+  vec4 cubic = cubicThrough(values);
+  float beside = bendOfCubic(cubic) / 9.0; // of the chords between the values
+  contourField = CubicField(cubic, rangeOfContours(), vec2(ofRay.x - beside, ofRay.y + beside));
+  if (hasContourValues && crossesContours())
   {
-    enterLayersOfCell(layerInRing(front, ringBefore), layerInRing(back, rangeOfRing()));
+    enterLayersOfCell(layerInRing(values.x, rangeOfFour(contourNear)), layerInRing(values.w, rangeOfContoursBehind(exit)));
   }
   else
   {
+    contourField = levelField(layerReach.x);
     turns = vec2(1.0);
     lastLayer = contourLayerOfRay;
     layerIsKnown = false;

@@ -178,6 +178,8 @@ mat3x4 changesInCell(vec3 p)
   return mat3x4(right, up, on);
 }
 
+vec3 stepsToRay = vec3(0.0); // from the place in besidePlace, along AB, AD and AE
+
 // Distance along the ray, and scalar, of the point of the ray next to a place in the cell: where edges are not parallel, a ray is
 // no straight line between the places where it enters and leaves.
 vec2 besidePlace(vec3 p)
@@ -195,5 +197,6 @@ vec2 besidePlace(vec3 p)
   vec3 steps = vec3(dot(away, upOn), dot(away, cross(on.xyz, right.xyz)), dot(away, cross(right.xyz, up.xyz)));
   steps = abs(volume) > 0.0 ? steps / volume : vec3(0.0);
   steps = clamp(steps, -p, 1.0 - p);
+  stepsToRay = steps;
   return here.zw + steps.x * right.zw + steps.y * up.zw + steps.z * on.zw;
 }

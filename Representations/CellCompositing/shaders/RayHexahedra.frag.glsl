@@ -86,7 +86,9 @@ bool isClear()
       greater(greater(greater(walkA.w, walkB.w), greater(walkC.w, walkD.w)), greater(greater(walkE.w, walkF.w), greater(walkG.w, walkH.w)));
     scalarsOfCell = vec2(low, high);
   }
-  bool inLayer = !contoursInCells || (scalarsOfCell.x >= layerReach.x && scalarsOfCell.y < layerReach.y);
+  seeContours();
+  vec2 contoured = contoursInCells ? rangeOfContours() : vec2(0.0);
+  bool inLayer = !contoursInCells || !hasContourValues || (contoured.x >= layerReach.x && contoured.y < layerReach.y);
   return inLayer && scalarsOfCell.x >= clear.x && scalarsOfCell.y < clear.y;
 }
 
@@ -123,7 +125,6 @@ int crossCell()
   }
   vec3 entered = vec3(ringPlace, 0.0);
   pieceFront = ringPass;
-  vec2 ringBefore = rangeOfRing();
   keepCell();
   int exit = leaveCell();
   ringPlace = placeInRing();
@@ -131,25 +132,27 @@ int crossCell()
   pieces = 1.0;
   inCell = true;
   partOfCell = 0.0;
-  if (useCellScalars)
+  pieceFront.y = useCellScalars ? scalarsOfCell.x : pieceFront.y;
+  if (useCellScalars && !contoursInCells)
   {
-    pieceFront.y = scalarsOfCell.x;
     return exit;
   }
   vec3 left = placeInCell(ringPlace, exit);
-  vec2 first = besidePlace(mix(entered, left, 1.0 / 3.0)), second = besidePlace(mix(entered, left, 2.0 / 3.0));
+  vec3 thirds[2] = vec3[2](mix(entered, left, 1.0 / 3.0), mix(entered, left, 2.0 / 3.0));
+  vec2 first = besidePlace(thirds[0]);
+  vec4 contoured = vec4(contoursInCells ? contouredBeside(thirds[0]) : 0.0);
+  vec2 second = besidePlace(thirds[1]);
   cellDistances = cubicThrough(vec4(pieceFront.x, first.x, second.x, ringPass.x));
-  vec4 values = vec4(pieceFront.y, first.y, second.y, ringPass.y);
-  scalarsInCell = cubicThrough(values);
+  scalarsInCell = useCellScalars ? vec4(scalarsOfCell.x, 0.0, 0.0, 0.0) : cubicThrough(vec4(pieceFront.y, first.y, second.y, ringPass.y));
   pieces = countPieces(scalarsInCell);
   if (contoursInCells)
   {
-    float low = lesser(lesser(values.x, values.y), lesser(values.z, values.w)), high = greater(greater(values.x, values.y), greater(values.z, values.w));
-    float beside = bendOfCubic(scalarsInCell) / 9.0; // of the chords between the values
-    contourField = CubicField(scalarsInCell, scalarsOfCell, vec2(low - beside, high + beside));
+    contoured.x = contouredAt(entered).x;
+    contoured.z = contouredBeside(thirds[1]);
+    contoured.w = contouredAt(left).x;
     placeEntered = entered;
     placeLeft = left;
-    findLayersOfCell(ringBefore, values.x, values.w);
+    findLayersOfCell(contoured, exit);
   }
   return exit;
 }
@@ -170,9 +173,8 @@ bool addPieces(vec2 range)
   {
     float to = endOfPiece(pieces);
     int contour = contoursInCells ? contourInPiece(to) : -1;
-    vec2 back = useCellScalars ? vec2(ringPass.x, scalarsOfCell.x)
-      : to >= 1.0 ? ringPass
-                  : vec2(cubicAt(cellDistances, to), clamp(cubicAt(scalarsInCell, to), scalarsOfCell.x, scalarsOfCell.y));
+    vec2 back = to >= 1.0 ? vec2(ringPass.x, useCellScalars ? scalarsOfCell.x : ringPass.y)
+                          : vec2(cubicAt(cellDistances, to), clamp(cubicAt(scalarsInCell, to), scalarsOfCell.x, scalarsOfCell.y));
     float end = min(back.x, range.y);
     bool hazeEnds = useHaze && end > hazeTo && end > max(pieceFront.x, range.x);
     if (hazeEnds && !hazeIsFresh)

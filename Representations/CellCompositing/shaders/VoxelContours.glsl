@@ -64,11 +64,12 @@ void enterCell(vec3 entered, vec3 leaves)
   inCell = true;
   partOfCell = 0.0;
   pieceFront = cubicPlace(0.0);
+  bool hasValues = contourField.range.y < missing;
+  contourField = hasValues ? contourField : levelField(layerReach.x); // crosses nothing
   int first = layerInFace(fieldAt(contourField, 0.0), entered, 1.0 - forward);
   int last = layerInFace(fieldAt(contourField, 1.0), leaves, forward);
-  bool hasValues = contourField.range.y < missing;
   layerIsKnown = layerIsKnown && hasValues;
-  enterLayersOfCell(first, hasValues ? last : first);
+  enterLayersOfCell(hasValues ? first : contourLayerOfRay, hasValues ? last : contourLayerOfRay);
   layerIsKnown = hasValues;
 }
 

@@ -204,6 +204,7 @@ int vtkMediumRepresentation::RequestData(
     this->WarnOfEmptiness(vtkDataObject::GetData(inputVector[0], 0));
     this->PreparePiece(this->KeepDrawnBlocks(vtkDataObject::GetData(inputVector[0], 0)));
     this->PlacePiece();
+    this->FinishPiece();
     if (GetNumberOfRanks() > 1 && this->Piece)
     {
       this->Piece = withIdsAsNumbers(this->Piece);

@@ -106,6 +106,8 @@ protected:
   virtual void PreparePiece(vtkDataObject* input) = 0;
   /** Moves `Piece`, which is not null, and `DataBounds`. Called by all ranks, if there are several. */
   virtual void MovePiece(vtkMatrix4x4* matrix);
+  /** The last change of `Piece`, where it has been moved to. Called by all ranks. */
+  virtual void FinishPiece() {}
   /** Describes the piece to the view; subclasses add how it may be distributed over ranks. */
   virtual void DescribePiece(vtkInformation* inInfo);
   /** Called by all ranks, with what the view delivered, which may be null; returns what is drawn. */

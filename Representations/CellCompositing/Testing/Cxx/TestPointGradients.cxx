@@ -56,7 +56,7 @@ TEST(PointGradients, LinearFieldsAreReproduced)
     const CellGeometry geometry = buildGeometry(
       data, [&](const double x[3]) { return g[0] * x[0] + g[1] * x[1] + g[2] * x[2] + 5; });
     const double width = geometry.ScalarRange[1] - geometry.ScalarRange[0];
-    for (const auto& gradient : pointGradients(geometry, scalarsOf(geometry)))
+    for (const auto& gradient : pointGradients(data, geometry, scalarsOf(geometry)))
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
@@ -72,7 +72,7 @@ TEST(PointGradients, ContinuousOverASeam)
   const auto data = makeShell(12, 6, 3, 60, 1, 1.3);
   const CellGeometry geometry =
     buildGeometry(data, [](const double x[3]) { return x[0] * x[0] + x[1] * x[2]; });
-  const Gradients gradients = pointGradients(geometry, scalarsOf(geometry));
+  const Gradients gradients = pointGradients(data, geometry, scalarsOf(geometry));
   int pairs = 0;
   for (std::size_t i = 0; i < geometry.Points.size(); ++i)
   {
@@ -96,11 +96,11 @@ TEST(PointGradients, ThreadsDoNotChangeTheResult)
     buildGeometry(data, [](const double x[3]) { return std::sin(3 * x[0]) + x[1] * x[2]; });
   const std::vector<float> scalars = scalarsOf(geometry);
   Gradients first;
-  withThreads(1, [&]() { first = pointGradients(geometry, scalars); });
+  withThreads(1, [&]() { first = pointGradients(data, geometry, scalars); });
   for (const int threads : { 2, 3, 8 })
   {
     Gradients again;
-    withThreads(threads, [&]() { again = pointGradients(geometry, scalars); });
+    withThreads(threads, [&]() { again = pointGradients(data, geometry, scalars); });
     EXPECT_EQ(first, again) << threads << " threads";
   }
 }
@@ -112,13 +112,13 @@ TEST(PointGradients, NoNeighbourhood)
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
   CellGeometry geometry =
     buildGeometry(data, [](const double x[3]) { return std::isfinite(x[0]) ? x[0] : 0; });
-  Gradients gradients = pointGradients(geometry, scalarsOf(geometry));
+  Gradients gradients = pointGradients(data, geometry, scalarsOf(geometry));
   ASSERT_EQ(gradients.size(), 5u);
   EXPECT_NEAR(gradients[0][0], 1, 1e-6);
   EXPECT_NEAR(gradients[0][1], 0, 1e-6);
   std::vector<float> missing = scalarsOf(geometry);
   missing[1] = missing[2] = std::nanf("");
-  for (const auto& g : pointGradients(geometry, missing))
+  for (const auto& g : pointGradients(data, geometry, missing))
   {
     EXPECT_TRUE(std::isfinite(g[0]) && std::isfinite(g[1]) && std::isfinite(g[2]));
   }
