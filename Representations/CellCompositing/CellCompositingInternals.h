@@ -43,7 +43,7 @@ struct vtkCellCompositingMapper::vtkInternals
   bool HasContours = true;               // there is an array for them
   bool WarnedOfUnprojected = false;
   nephoscope::ReportedError LastError, LastWarning, LeftOut, FoldWarning, RayWarning,
-    ContourWarning, MediaWarnings[2], PolygonWarnings[2];
+    ContourWarning, ContourValuesWarning, MediaWarnings[2], PolygonWarnings[2];
   bool OneColor = false;     // of the medium in the last render
   bool Peeled = false;       // the last render drew between translucent surfaces, or slices
   bool RaysAreWrong = false; // on the window's OpenGL

@@ -223,6 +223,7 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
     }
   });
   this->WarnAboutPolygons();
+  this->WarnAboutContourValues();
   const bool upload = this->Internals->Uploaded < scene.GetVersions().Latest();
   if (!ready || window->CheckAbortStatus() || (upload && !progress.Report(0.92)))
   {

@@ -342,6 +342,7 @@ private:
     const nephoscope::ScalarSelection& scalars, const nephoscope::ScalarSelection& opacity);
   void WarnAboutFolds(vtkDataSet* input, const nephoscope::CellGeometry& geometry);
   void WarnAboutContours(const std::string& reason);
+  void WarnAboutContourValues();
   void WarnAboutPolygons();
   std::string CheckSettings(vtkVolumeProperty* property);
   void SetDrawingOptions(vtkRenderer* renderer, vtkVolumeProperty* property);

@@ -7,6 +7,8 @@
 #include "CellCompositingInternals.h"
 #include "CellGeometry.h"
 #include "ContourSettings.h"
+#include "PointGradients.h"
+#include "UniformMedium.h"
 
 #include "vtkAbstractMapper.h"
 #include "vtkCellData.h"
@@ -14,6 +16,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolumeProperty.h"
@@ -45,6 +48,12 @@ std::string vtkCellCompositingMapper::SelectContours(
   }
   if (name.empty())
   {
+    const char* colored = scalars.Array->GetName();
+    if (colored && colored == std::string(nephoscope::uniformMediumName))
+    {
+      return "No array is coloured: choose a point array to contour. Point arrays: " +
+        arrayNames(input->GetPointData()) + ".";
+    }
     return scalars.OnCells && this->Contours->DrawsSurfaces() &&
         !this->Contours->ContoursMakeLayers()
       ? "The coloured array is a cell array, which has no contour surfaces inside its cells: apply Cell Data to Point "
@@ -215,6 +224,38 @@ void vtkCellCompositingMapper::WarnAboutContours(const std::string& reason)
   if (this->Internals->ContourWarning.IsNew(reason))
   {
     vtkWarningMacro(<< "Contour surfaces are not drawn. " << reason);
+  }
+}
+
+// Values that none of several time steps has are told once.
+void vtkCellCompositingMapper::WarnAboutContourValues()
+{
+  const nephoscope::ContourScene& contours = this->Internals->Scene.GetContours();
+  if (!contours.DrawsAny())
+  {
+    return;
+  }
+  const double* range = contours.GetRange();
+  vtkDataArray* ofAll =
+    this->GetDataSetInput()->GetFieldData()->GetArray(nephoscope::storedContourRangeName);
+  const double low = ofAll ? ofAll->GetComponent(0, 0) : range[0];
+  const double high = ofAll ? ofAll->GetComponent(1, 0) : range[1];
+  const auto& surfaces = this->Contours->Surfaces;
+  const bool isSeen = std::any_of(surfaces.begin(), surfaces.end(), [&](const auto& surface) {
+    return surface.Opacity > 0 && surface.Value >= low && surface.Value <= high;
+  });
+  vtkDataArray* array = this->Internals->Contoured.Array ? this->Internals->Contoured.Array
+                                                         : this->Internals->Scalars.Array;
+  std::ostringstream values, warning;
+  for (const auto& surface : surfaces)
+  {
+    values << (values.str().empty() ? "" : ", ") << surface.Value;
+  }
+  values << " of '" << (array->GetName() ? array->GetName() : "(unnamed)") << "'";
+  if (!isSeen && this->Internals->ContourValuesWarning.IsNew(values.str()))
+  {
+    vtkWarningMacro(<< "No contour surface is seen: there are none at " << values.str()
+                    << ", whose values go from " << low << " to " << high << ".");
   }
 }
 

@@ -111,11 +111,15 @@ void vtkRankMessages::Tell(unsigned long event, const std::string& text)
     messages().Kept += kind + text + '\0';
     return;
   }
+  std::string told = text;
   if (ranks && ranks->GetNumberOfProcesses() > 1)
   {
     messages().Told.insert(withoutNumbers(text));
+    const std::size_t sentence = beginOfSentence(text);
+    const bool counts = std::isdigit(static_cast<unsigned char>(text[sentence])) != 0;
+    told.insert(sentence, counts ? "Rank 0: " : ""); // the others have counts of their own
   }
-  show(kind, text);
+  show(kind, told);
 }
 
 void vtkRankMessages::Flush()

@@ -72,6 +72,29 @@ def check_properties(source):
     check(image(view).max() == 0, "without values something is drawn")
 
 
+def check_material(source):
+    """Surfaces reflect light as the display says: as ParaView's own contour of an image, however the cells are stored."""
+    settings = {"Diffuse": 0.6, "Specular": 0.8, "SpecularPower": 20, "Ambient": 0.1}
+    contour = new_view()
+    shown = pvs.Show(pvs.Contour(Input=source, ContourBy=["POINTS", "RTData"], Isosurfaces=[200]), contour)
+    solid(shown, [0.0, 1.0, 0.0])
+    for name, value in settings.items():
+        setattr(shown, name, value)
+    look(contour)
+    expected = image(contour)
+    for cells in (source, pvs.Transform(Input=source), pvs.AppendDatasets(Input=source), pvs.GroupDatasets(Input=[source])):
+        view, display = surfaces(cells, [200], ContourOpacity=1.0, ContourLighting=1, ContourColors=[0.0, 1.0, 0.0])
+        look(view)
+        before = image(view)
+        for name, value in settings.items():
+            setattr(display, name, value)
+        picture = image(view)
+        check(np.abs(picture - before).max() > 50, f"{cells.GetXMLName()}: the material makes no difference")
+        difference = np.abs(picture - expected).max(axis=2)
+        print(f"{cells.GetXMLName()}: {np.median(difference[difference > 0]):.0f}/255, {np.mean(difference > 20):.4f} of the picture beyond 20/255", flush=True)
+        check(np.mean(difference > 20) < 0.02, f"{cells.GetXMLName()}: not as ParaView lights its contour")
+
+
 def check_contour_array(source):
     """Planes of another array, under Solid Color as well."""
     second = pvs.Calculator(Input=source, ResultArrayName="height", Function="coordsZ")
@@ -166,6 +189,7 @@ wavelet = pvs.Wavelet()
 check_against_polygons(wavelet)
 check_properties(wavelet)
 check_contour_array(wavelet)
+check_material(wavelet)
 check_layers(wavelet)
 check_layer_colors(wavelet)
 check_polygons(wavelet)

@@ -57,6 +57,16 @@ mixed = pvs.AppendDatasets(Input=[pvs.Tetrahedralize(Input=halves[0]), halves[1]
 draw("mixed", mixed)
 draw("mixed-trilinear", mixed, CellCompositingCellInterpolation="Trilinear")
 draw("contours", rotated, CellCompositingContourValues=[130, 200], CellCompositingSmoothContourNormals=0)
+# Normals and surfaces as one rank has them: in an image, in cells of all kinds, trilinear ones, and where another array is contoured.
+lit = {"CellCompositingContourValues": [130, 200], "CellCompositingContourOpacity": 1.0, "CellCompositingOpacityScale": 1e-6, "Specular": 0.5, "SpecularPower": 20}
+other = pvs.Calculator(Input=wavelet, ResultArrayName="other", Function="coordsX+coordsY*coordsZ/8")
+both = {**lit, "CellCompositingContourArray": "other", "CellCompositingContourValues": [-3, 3], "CellCompositingCellInterpolation": "Trilinear"}
+draw("lit-image", wavelet, **lit)
+draw("lit-structured", rotated, **lit)
+draw("lit-tetrahedra", pvs.Tetrahedralize(Input=wavelet), **lit)
+draw("lit-trilinear", pvs.AppendDatasets(Input=rotated), CellCompositingCellInterpolation="Trilinear", **lit)
+draw("other-image", other, **both)
+draw("other-structured", pvs.Transform(Input=other), **both)
 # Cells so warped, some of them, that their tetrahedra overlap: all ranks draw their trilinear field.
 shifts = ("sin(12.9*coordsX+78.2*coordsY+37.7*coordsZ)*iHat", "sin(39.3*coordsX+11.1*coordsY+83.1*coordsZ)*jHat", "sin(73.1*coordsX+52.2*coordsY+9.2*coordsZ)*kHat")
 warped = pvs.Calculator(Input=pvs.AppendDatasets(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3)), CoordinateResults=1, Function=f"2*coords+0.44*({'+'.join(shifts)})")

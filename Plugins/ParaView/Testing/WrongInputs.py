@@ -86,10 +86,36 @@ def check_contours_of_cells(messages):
     for _ in range(2):
         pvs.Render(view)
     check(not messages, f"cells without contours: {messages}")
-    display.ContourValues = [150.0]
+    display.CellCompositingContourValues = [150.0]
     for _ in range(3):
         pvs.Render(view)
     check(len(messages) == 1 and "apply Cell Data to Point Data" in messages[0], f"contours of a cell array: {messages}")
+    pvs.Delete(view)
+
+
+def check_contour_values(messages):
+    """Values that belong to another array, or to none: told once, in the words of the panel, and not for values of which some are there."""
+    source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3), ResultArrayName="x", Function="coordsX")
+    view = new_view((40, 40))
+    display = pvs.Show(source, view)
+    display.SetRepresentationType("Cell Compositing")
+    pvs.ColorBy(display, ("POINTS", "RTData"))
+    display.CellCompositingContourValues = [150.0, 1000.0]
+    messages.clear()
+    for expected in ((), ("150, 1000 of 'x'", "-4 to 4")):
+        for _ in range(3):
+            pvs.Render(view)
+        check(len(messages) == bool(expected) and all(words in messages[0] for words in expected), f"contour values that 'x' does not have: {messages}")
+        pvs.ColorBy(display, ("POINTS", "x"))
+    display.CellCompositingContourArray = "RTData"
+    display.ColorArrayName = ["POINTS", ""]
+    messages.clear()
+    pvs.Render(view)
+    check(not messages, f"an array to contour, and none to colour: {messages}")
+    display.CellCompositingContourArray = "None"
+    for _ in range(2):
+        pvs.Render(view)
+    check(len(messages) == 1 and "No array is coloured" in messages[0], f"nothing to contour: {messages}")
     pvs.Delete(view)
 
 
@@ -184,6 +210,8 @@ def check_light(messages):
 def main():
     messages = listen()
     check_nothing_to_draw(messages)
+    check_contours_of_cells(messages)
+    check_contour_values(messages)
     check_opacity_of_other_range(messages)
     check_light(messages)
     wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)

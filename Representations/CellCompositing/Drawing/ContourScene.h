@@ -61,6 +61,8 @@ public:
   bool DrawsBetween(float low, float high) const;
   /** False where the grid closes on itself, but not the contoured array. */
   bool ClosesWith(const CellGeometry& geometry) const;
+  /** The least and the greatest of the values that are contoured. */
+  const double* GetRange() const { return this->Range; }
   /** Number of values at or below s. */
   std::size_t FindLayer(float s) const;
 

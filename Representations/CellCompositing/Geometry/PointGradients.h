@@ -27,6 +27,8 @@ class CellGeometry;
 
 /** The point array that has the gradients already where other ranks have some of the cells around a point. */
 constexpr const char* storedGradientsName = "NephoscopeContourGradients";
+/** The field array that then has the least and the greatest of the values on all ranks. */
+constexpr const char* storedContourRangeName = "NephoscopeContourRange";
 
 /** The normal equations of the least squares at a point, m g = r with a symmetric m: sums over edges. */
 struct GradientSums

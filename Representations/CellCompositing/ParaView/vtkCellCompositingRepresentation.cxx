@@ -115,6 +115,7 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
     this->VisibilityOrder); // while the camera moves too: rays need no sorting
   this->Mapper->SetCellInterpolation(this->ChooseInterpolation(cells));
   this->PrepareContours();
+  this->PrepareMaterial();
   this->PreparePolygons();
   this->PrepareLayers();
 }

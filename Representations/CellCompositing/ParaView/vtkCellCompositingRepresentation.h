@@ -67,6 +67,14 @@ public:
   void SetSmoothContourNormals(bool smooth);
   ///@}
 
+  ///@{
+  /** ParaView's own properties: how contour surfaces and polygons reflect light, as other surfaces of the display do. */
+  void SetAmbient(double ambient) { this->Ambient = ambient; }
+  void SetDiffuse(double diffuse) { this->Diffuse = diffuse; }
+  void SetSpecular(double specular) { this->Specular = specular; }
+  void SetSpecularPower(double power) { this->SpecularPower = power; }
+  ///@}
+
   /** Polygons beside the cells; see the mapper. That of contour i has the opacity and the colour that entry i of the lists above gives. */
   void SetPolygons(int polygons);
 
@@ -111,6 +119,7 @@ private:
   bool NeedsGradients() const;
   void FollowContours();
   void PrepareContours();
+  void PrepareMaterial();
   void PreparePolygons();
   double FindContourOpacity(std::size_t i) const;
   void PrepareLayers();
@@ -129,6 +138,7 @@ private:
   int VisibilityOrder = 0;
   int CellInterpolation; // the mapper's default at first
   double ContourOpacity = 0.3;
+  double Ambient = 0.0, Diffuse = 1.0, Specular = 0.0, SpecularPower = 100.0; // ParaView's defaults
   std::size_t NumberOfPolygonLooks = 0;
   std::vector<double> ContourOpacities;
   std::vector<std::array<double, 3>> ContourColors;

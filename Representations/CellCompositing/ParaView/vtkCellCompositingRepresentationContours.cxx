@@ -184,6 +184,16 @@ void vtkCellCompositingRepresentation::PrepareContours()
   }
 }
 
+// Of whatever property the volume has: those that are chosen, or one for a uniform medium.
+void vtkCellCompositingRepresentation::PrepareMaterial()
+{
+  vtkVolumeProperty* property = this->Actor->GetProperty();
+  property->SetAmbient(this->Ambient);
+  property->SetDiffuse(this->Diffuse);
+  property->SetSpecular(this->Specular);
+  property->SetSpecularPower(this->SpecularPower);
+}
+
 void vtkCellCompositingRepresentation::SetPolygons(int polygons)
 {
   this->Mapper->SetPolygons(polygons);

@@ -4,8 +4,8 @@
 #include "vtkCellCompositingRepresentation.h"
 
 #include "DataBlocks.h"
+#include "RankContours.h"
 #include "RankDivisions.h"
-#include "RankGradients.h"
 #include "RankRegions.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
@@ -49,16 +49,18 @@ void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
 
 void vtkCellCompositingRepresentation::FinishPiece()
 {
-  this->HasGradients = this->NeedsGradients();
-  if (this->HasGradients)
+  if (GetNumberOfRanks() == 1)
   {
-    const std::string& chosen = this->Mapper->GetContourArrayName();
-    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    const char* name = chosen.c_str();
-    const bool isFound = !chosen.empty() || this->FindColorArray(this->Piece, association, name);
-    const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    nephoscope::storeRankGradients(this->Piece, isFound && onPoints ? name : nullptr);
+    return;
   }
+  const std::string chosen = this->Mapper->GetContourArrayName();
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const char* name = chosen.c_str();
+  const bool isFound = !chosen.empty() || this->FindColorArray(this->Piece, association, name);
+  const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  this->HasGradients = this->NeedsGradients();
+  nephoscope::storeRankContours(
+    this->Piece, isFound && onPoints ? name : nullptr, this->HasGradients);
 }
 
 // Cells that the view may spread over ranks, which all draw the same kind of field; `areEven`: one rank draws that of the whole cells.

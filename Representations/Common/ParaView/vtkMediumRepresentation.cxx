@@ -6,6 +6,7 @@
 #include "EmptyInput.h"
 #include "IdsAsNumbers.h"
 #include "RankDisplays.h"
+#include "UniformMedium.h"
 #include "vtkMediumVolume.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -38,7 +39,6 @@ namespace
 // Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
 const char* const unitDistanceName = "NephoscopeUnitDistance";
 const char* const boundsName = "NephoscopeSeenBounds";
-const char* const uniformName = "NephoscopeUniform";
 const char* const scalarRangeName = "NephoscopeOpacityRange";
 
 constexpr double uniformOpacity = 0.5; // under Solid Color, and where all values are the same
@@ -373,9 +373,9 @@ std::string vtkMediumRepresentation::WhyTransparent(
   }
   std::ostringstream text;
   text
-    << "Nothing is drawn: the values of the opacity array '" << this->GetOpacityArrayName() << "' ("
-    << low << " to " << high << ") lie outside the opacity function (" << range[0] << " to "
-    << range[1]
+    << "The medium is invisible: the values of the opacity array '" << this->GetOpacityArrayName()
+    << "' (" << low << " to " << high << ") lie outside the opacity function (" << range[0]
+    << " to " << range[1]
     << "), which is that of the coloured array. Give it a function of its own in the Python Shell: "
        "GetDisplayProperties().ScalarOpacityFunction = GetOpacityTransferFunction('"
     << this->GetOpacityArrayName() << "').";
@@ -435,7 +435,7 @@ void vtkMediumRepresentation::ColorUniformly(vtkDataSet* data)
     this->UniformDataTime != data->GetMTime())
   {
     vtkNew<vtkUnsignedCharArray> ones;
-    ones->SetName(uniformName);
+    ones->SetName(nephoscope::uniformMediumName);
     ones->SetNumberOfValues(data->GetNumberOfElements(association));
     ones->FillValue(1);
     this->UniformData.TakeReference(data->NewInstance());
@@ -446,7 +446,7 @@ void vtkMediumRepresentation::ColorUniformly(vtkDataSet* data)
   }
   this->Actor->SetProperty(this->UniformProperty);
   this->GetMapper()->SetInputDataObject(this->UniformData);
-  this->GetMapper()->SelectScalarArray(uniformName);
+  this->GetMapper()->SelectScalarArray(nephoscope::uniformMediumName);
   this->GetMapper()->SetScalarMode(association == vtkDataObject::CELL
       ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA
       : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);

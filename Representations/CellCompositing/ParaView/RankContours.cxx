@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "RankGradients.h"
+#include "RankContours.h"
 
+#include "DataBlocks.h"
 #include "PieceGradients.h"
 #include "RankMeasures.h"
 #include "VolumetricCells.h"
@@ -94,7 +95,7 @@ void exchange(vtkMultiProcessController* controller, PieceGradients& gradients)
 }
 }
 
-void storeRankGradients(vtkDataSet* piece, const char* arrayName)
+void storeRankContours(vtkDataSet* piece, const char* arrayName, bool gradients)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   vtkDataArray* array = arrayName ? piece->GetPointData()->GetArray(arrayName) : nullptr;
@@ -103,19 +104,25 @@ void storeRankGradients(vtkDataSet* piece, const char* arrayName)
   {
     return;
   }
-  std::vector<vtkBoundingBox> boxes = boxesOfPieces(controller, piece);
-  double center[3] = { 0, 0, 0 }, range[2] = { 1, 0 };
-  findCenter(boxes, center);
+  double range[2] = { 1, 0 };
   if (isScalar)
   {
     array->GetFiniteRange(range);
   }
   reduceRange(range);
-  PieceGradients gradients(piece, isScalar ? array : nullptr, range, center);
-  boxes.erase(boxes.begin() + controller->GetLocalProcessId());
-  gradients.FindShared(outerPoints(piece), boxes);
-  exchange(controller, gradients);
-  piece->GetPointData()->AddArray(gradients.Solve());
+  storeNumbers(piece, storedContourRangeName, { range[0], range[1] });
+  if (gradients)
+  {
+    const std::vector<vtkBoundingBox> boxes = boxesOfPieces(controller, piece);
+    double center[3] = { 0, 0, 0 };
+    findCenter(boxes, center);
+    PieceGradients found(piece, isScalar ? array : nullptr, range, center);
+    std::vector<vtkBoundingBox> others = boxes;
+    others.erase(others.begin() + controller->GetLocalProcessId());
+    found.FindShared(outerPoints(piece), others);
+    exchange(controller, found);
+    piece->GetPointData()->AddArray(found.Solve());
+  }
 }
 
 } // namespace nephoscope

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/** What contour surfaces on several ranks need of the cells of all of them: the range of values, and normals. */
+#ifndef RankContours_h
+#define RankContours_h
+
+class vtkDataSet;
+
+namespace nephoscope
+{
+
+/**
+ * Stores the range of a point array with one component (storedContourRangeName in PointGradients.h) and, if asked to, its gradients (storedGradientsName there): those
+ * that one rank with the cells of all would find. All ranks must call it; a piece without cells needs no array. Where the array is missing or has several components
+ * on any rank, nothing is stored, and each rank finds what its own cells have. The points of each piece that others may have are exchanged for the gradients, one
+ * rank after another: 96 bytes each.
+ */
+void storeRankContours(vtkDataSet* piece, const char* arrayName, bool gradients);
+
+} // namespace nephoscope
+
+#endif
