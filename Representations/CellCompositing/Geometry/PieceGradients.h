@@ -38,7 +38,7 @@ public:
   PieceGradients(
     vtkDataSet* piece, vtkDataArray* scalars, const double range[2], const double center[3]);
 
-  /** Of the points with these numbers, those in one of the boxes of other pieces may be theirs, too. */
+  /** The points with these numbers that lie in one of the boxes of other pieces may be theirs, too. */
   void FindShared(const std::vector<vtkIdType>& points, std::vector<vtkBoundingBox> others);
   std::vector<SumsAtPlace> Send() const;
   void Add(const std::vector<SumsAtPlace>& others);

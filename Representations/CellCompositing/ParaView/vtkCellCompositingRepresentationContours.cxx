@@ -184,7 +184,7 @@ void vtkCellCompositingRepresentation::PrepareContours()
   }
 }
 
-// Of whatever property the volume has: those that are chosen, or one for a uniform medium.
+// Goes to the property that was chosen for this picture, which may be that of a uniform medium.
 void vtkCellCompositingRepresentation::PrepareMaterial()
 {
   vtkVolumeProperty* property = this->Actor->GetProperty();
