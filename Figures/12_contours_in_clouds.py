@@ -41,6 +41,7 @@ def show_jets(clouds):
     clouds.CellCompositingContourValues = SPEEDS
     clouds.CellCompositingContourColors = SPEED_COLOURS
     clouds.CellCompositingContourOpacities = SPEED_OPACITIES
+    clouds.Ambient, clouds.Diffuse, clouds.Specular, clouds.SpecularPower = 0.1, 0.7, 0.2, 10
 
 
 def show_caption(view):

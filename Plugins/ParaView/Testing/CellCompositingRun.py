@@ -67,6 +67,8 @@ draw("lit-tetrahedra", pvs.Tetrahedralize(Input=wavelet), **lit)
 draw("lit-trilinear", pvs.AppendDatasets(Input=rotated), CellCompositingCellInterpolation="Trilinear", **lit)
 draw("other-image", other, **both)
 draw("other-structured", pvs.Transform(Input=other), **both)
+vectors = pvs.Calculator(Input=rotated, ResultArrayName="v", Function="coordsX*iHat+coordsY*jHat+0.5*coordsZ*kHat")
+draw("magnitude", vectors, **{**lit, "CellCompositingContourArray": "v", "CellCompositingContourValues": [6]})
 # Cells so warped, some of them, that their tetrahedra overlap: all ranks draw their trilinear field.
 shifts = ("sin(12.9*coordsX+78.2*coordsY+37.7*coordsZ)*iHat", "sin(39.3*coordsX+11.1*coordsY+83.1*coordsZ)*jHat", "sin(73.1*coordsX+52.2*coordsY+9.2*coordsZ)*kHat")
 warped = pvs.Calculator(Input=pvs.AppendDatasets(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3)), CoordinateResults=1, Function=f"2*coords+0.44*({'+'.join(shifts)})")

@@ -34,7 +34,7 @@ public:
     GradientSums Sums;
   };
 
-  /** `scalars` has one component; null in a piece without cells. Its range and the centre of the mesh are those of all pieces together. */
+  /** `scalars`: of several components the magnitude counts; null in a piece without cells. Its range and the centre of the mesh are those of all pieces together. */
   PieceGradients(
     vtkDataSet* piece, vtkDataArray* scalars, const double range[2], const double center[3]);
 

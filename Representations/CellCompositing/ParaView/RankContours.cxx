@@ -95,19 +95,19 @@ void exchange(vtkMultiProcessController* controller, PieceGradients& gradients)
 }
 }
 
-void storeRankContours(vtkDataSet* piece, const char* arrayName, bool gradients)
+void storeRankContours(vtkDataSet* piece, const char* arrayName, bool ofMagnitude, bool gradients)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   vtkDataArray* array = arrayName ? piece->GetPointData()->GetArray(arrayName) : nullptr;
-  const bool isScalar = array && array->GetNumberOfComponents() == 1;
-  if (!holdsOnAll(controller, isScalar || piece->GetNumberOfCells() == 0))
+  array = array && (ofMagnitude || array->GetNumberOfComponents() == 1) ? array : nullptr;
+  if (!holdsOnAll(controller, array || piece->GetNumberOfCells() == 0))
   {
     return;
   }
   double range[2] = { 1, 0 };
-  if (isScalar)
+  if (array)
   {
-    array->GetFiniteRange(range);
+    array->GetFiniteRange(range, array->GetNumberOfComponents() == 1 ? 0 : -1);
   }
   reduceRange(range);
   storeNumbers(piece, storedContourRangeName, { range[0], range[1] });
@@ -116,7 +116,7 @@ void storeRankContours(vtkDataSet* piece, const char* arrayName, bool gradients)
     const std::vector<vtkBoundingBox> boxes = boxesOfPieces(controller, piece);
     double center[3] = { 0, 0, 0 };
     findCenter(boxes, center);
-    PieceGradients found(piece, isScalar ? array : nullptr, range, center);
+    PieceGradients found(piece, array, range, center);
     std::vector<vtkBoundingBox> others = boxes;
     others.erase(others.begin() + controller->GetLocalProcessId());
     found.FindShared(outerPoints(piece), others);

@@ -60,7 +60,7 @@ void vtkCellCompositingRepresentation::FinishPiece()
   const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
   this->HasGradients = this->NeedsGradients();
   nephoscope::storeRankContours(
-    this->Piece, isFound && onPoints ? name : nullptr, this->HasGradients);
+    this->Piece, isFound && onPoints ? name : nullptr, !chosen.empty(), this->HasGradients);
 }
 
 // Cells that the view may spread over ranks, which all draw the same kind of field; `areEven`: one rank draws that of the whole cells.
