@@ -143,12 +143,53 @@ vtkIdType CellAt(vtkDataSet* blanked, const Vector3& position)
   return set->FindCell(point, nullptr, cell, -1, 0.0, part, parametric, weights.data());
 }
 
+double DistanceToBounds(vtkDataSet* set, vtkIdType cell, const Vector3& position)
+{
+  double bounds[6];
+  set->GetCellBounds(cell, bounds);
+  Vector3 offset{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double x = position[axis];
+    offset[axis] = x - std::min(std::max(x, bounds[2 * axis]), bounds[2 * axis + 1]);
+  }
+  return norm(offset);
+}
+
 bool IsBlanked(vtkDataSet* set, vtkIdType cell)
 {
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     set->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   return ghosts && (ghosts->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL);
 }
+}
+
+NearestCell FindNearestCell(const std::vector<vtkDataSet*>& sets, const Vector3& position)
+{
+  NearestCell nearest;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkDataSet* set : sets)
+  {
+    std::vector<double> weights(static_cast<std::size_t>(std::max(8, set->GetMaxCellSize())));
+    for (vtkIdType i = 0; i < set->GetNumberOfCells(); ++i)
+    {
+      if (IsBlanked(set, i) || DistanceToBounds(set, i, position) >= nearest.Distance)
+      {
+        continue;
+      }
+      set->GetCell(i, cell);
+      Vector3 middle{};
+      double parametric[3];
+      int part = cell->GetParametricCenter(parametric);
+      cell->EvaluateLocation(part, parametric, middle.data(), weights.data());
+      const double distance = norm(middle - position);
+      if (cell->GetCellDimension() == 3 && distance < nearest.Distance)
+      {
+        nearest = { distance, middle };
+      }
+    }
+  }
+  return nearest;
 }
 
 std::string VelocityProblem(vtkDataSet* data, const VelocityArray& array)
@@ -176,11 +217,20 @@ std::string WhyNoVelocityInside(const std::vector<vtkDataSet*>& sets, const Vect
   return {};
 }
 
-std::string WhyOutside(const vtkBoundingBox& box, const Vector3& position)
+std::string WhyOutside(const vtkBoundingBox& box, const Vector3& nearest, const Vector3& position)
 {
+  std::ostringstream sentence;
+  if (box.ContainsPoint(position[0], position[1], position[2]))
+  {
+    sentence
+      << Written(position)
+      << " is in no cell, although it is within the bounds of the data: it is in a hole, such as "
+         "a body or the ground. The nearest cell is around "
+      << Written(nearest) << ": move the polygon there, by Center if it is regular.";
+    return sentence.str();
+  }
   double bounds[6];
   box.GetBounds(bounds);
-  std::ostringstream sentence;
   sentence << Written(position) << " is outside the data, which are within x " << bounds[0]
            << " to " << bounds[1] << ", y " << bounds[2] << " to " << bounds[3] << ", z "
            << bounds[4] << " to " << bounds[5] << ": move the polygon into them.";

@@ -190,8 +190,23 @@ std::string FlowVolumeExchange::WhyNoVelocity(
   const std::vector<vtkDataSet*>& sets, const Vector3& position) const
 {
   const std::string inside = this->AgreeOnProblem(WhyNoVelocityInside(sets, position));
-  const vtkBoundingBox box = this->BoundsOf(sets);
-  return inside.empty() ? WhyOutside(box, position) : inside;
+  return inside.empty()
+    ? WhyOutside(this->BoundsOf(sets), this->NearestTo(sets, position), position)
+    : inside;
+}
+
+Vector3 FlowVolumeExchange::NearestTo(
+  const std::vector<vtkDataSet*>& sets, const Vector3& position) const
+{
+  const NearestCell mine = FindNearestCell(sets, position);
+  const std::vector<double> all =
+    this->Gather({ mine.Distance, mine.Middle[0], mine.Middle[1], mine.Middle[2] });
+  std::size_t best = 0;
+  for (std::size_t k = 4; k < all.size(); k += 4)
+  {
+    best = all[k] < all[best] ? k : best;
+  }
+  return { all[best + 1], all[best + 2], all[best + 3] };
 }
 
 vtkSmartPointer<vtkPolyData> FlowVolumeExchange::GatherPolygon(vtkPolyData* polygon) const

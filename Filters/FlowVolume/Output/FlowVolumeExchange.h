@@ -72,6 +72,8 @@ public:
   const SmokeMesh& ShareOf(const SmokeMesh& mesh, SmokeMesh& share) const;
 
 private:
+  // The middle of the nearest cell of all ranks.
+  Vector3 NearestTo(const std::vector<vtkDataSet*>& sets, const Vector3& position) const;
   void Unite(vtkBoundingBox& box) const;
   bool IsAlone() const { return this->Ranks == 1; }
 

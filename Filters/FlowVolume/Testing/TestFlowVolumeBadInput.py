@@ -9,6 +9,7 @@ from nephoscope_testing.flow import flow_volume, update
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
+from vtkmodules.vtkFiltersCore import vtkThreshold
 
 
 def cube(velocity=(0, 0, 1), name="Flow"):
@@ -61,6 +62,24 @@ class BadInput(unittest.TestCase):
     def test_polygon_outside(self):
         self.expect(cube(), "(3, 0, 0) is outside the data, which are within x -1 to 1", "move the polygon", Center=(3, 0, 0))
         self.expect(cube(), "No smoke comes", "outside the data", Center=(3, 0, 0), NormalToFlow=False)
+
+    def test_polygon_in_a_hole(self):
+        """Inside the bounds, but in no cell: the message says so and names a place with a flow, which works."""
+        hollow = vtkThreshold()
+        data = cube()
+        meshes.add_array(data.GetPointData(), np.linalg.norm(meshes.points_of(data), axis=1), "r")
+        hollow.SetInputData(data)
+        hollow.SetInputArrayToProcess(0, 0, 0, 0, "r")
+        hollow.SetUpperThreshold(0.6)
+        hollow.SetThresholdFunction(vtkThreshold.THRESHOLD_UPPER)
+        hollow.Update()
+        for settings in ({}, {"NormalToFlow": False}):
+            self.expect(hollow.GetOutput(), "(0.2, 0.15, 0.1) is in no cell", "within the bounds", "in a hole", "by Center", Center=(0.2, 0.15, 0.1), Radius=0.02, **settings)
+        nearest = (0.75, 0.75, 0.25)
+        made = flow_volume(hollow.GetOutput(), Center=(0.2, 0.15, 0.1), Radius=0.02, Duration=0.1)
+        self.assertIn("The nearest cell is around (0.75, 0.75, 0.25)", update(made)[1][0])
+        smoke, messages = update(flow_volume(hollow.GetOutput(), Center=nearest, Radius=0.02, Duration=0.1))
+        self.assertTrue(len(smoke.cells) and not messages, messages)
 
     def test_polygon_partly_outside(self):
         smoke, messages = update(flow_volume(cube(), Center=(0.95, 0, 0), Radius=0.2, Duration=0.5))

@@ -19,7 +19,7 @@ from ._series import Grids, Series
 from ._typing import Numbers
 
 # Terms in messages of vtkFlowVolume, and their names in Python.
-_NAMES = {"switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
+_NAMES = {"move the polygon there, by Center if it is regular": "pass that as center, or move the polygon there", "switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
           "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
