@@ -145,10 +145,9 @@ class Refused(Splats):
         self.fails(MissingDataError, r"vectors\['scalars'\]: no array 'h'", vectors=dict(array="wind", scalars="h"))
         self.fails(MissingDataError, "opacity_scalars: no array 'q'", opacity_scalars="q")
         self.fails(ValueError, "opacity_scalars: the array 'layer' must be on points", opacity_scalars="layer")
-        self.fails(ValueError, "'wind' has 3 components", scalars="wind")
-        arrows = pyvista.PolyData(np.eye(3))
-        arrows["wind"] = np.eye(3)
-        self.fails(MissingDataError, "no point or cell array with one component", arrows, None)
+        words = pyvista.PolyData(np.eye(3))
+        words["wind"] = ["up", "down", "up"]
+        self.fails(MissingDataError, "no point or cell array with one component", words, None)
 
     def test_combinations(self):
         self.fails(ValueError, "but no 'array'", vectors=dict(color="red"))

@@ -78,11 +78,13 @@ class UniformMedia(unittest.TestCase):
         grid["level"] = grid.points[:, 2]
         self.assertEqual(nephoscope.add_cells(plotter, grid).mapper.scalar_range, (0, 4))
 
-    def test_vectors_alone_still_ask_for_scalars(self):
+    def test_vectors_alone_are_drawn_by_their_magnitude(self):
         grid = pyvista.ImageData(dimensions=(3, 3, 3))
         grid["v"] = grid.points
-        with self.assertRaisesRegex(ValueError, "For the magnitude"):
-            nephoscope.add_cells(pyvista.Plotter(off_screen=True), grid)
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        self.assertAlmostEqual(nephoscope.add_cells(plotter, grid).mapper.scalar_range[1], 12 ** 0.5, 5)
+        self.assertEqual(list(plotter.scalar_bars.keys()), ["v magnitude"])
 
     def test_unit_distance_is_taken(self):
         self.picture(nephoscope.add_cells, examples.load_tetbeam(), color="red", opacity_unit_distance=0.7)

@@ -15,6 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkVolume, vtkVolumeProperty
 
 from ._blocks import alike, cell_dimension, fitting, named_blocks
 from ._checks import arrays_of, as_array, listed, require_number
+from ._components import are_colours, reduced, require_component, title_of
 from ._copies import MediumVolume
 from ._exports import warn_when_exported
 from ._fields import find_preset, is_bright, is_helper, presets
@@ -61,30 +62,37 @@ def require_dataset(data: Any, argument: str, needs: str, merge_points: bool, ar
     return data
 
 
-def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None,
-                 preference: str) -> tuple[pyvista.DataSet, str, str]:
-    """The grid with the scalars, the name of the array, and "point" or "cell"."""
+def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None, preference: str, component: Any) -> tuple[pyvista.DataSet, str, str]:
+    """The grid with the scalars, the name of the array, and "point" or "cell". The array may have several components: `component` is that drawn, or None for the magnitude."""
     if preference not in ("point", "cell"):
         raise ValueError(f"preference is {preference!r}; it must be 'point' or 'cell'.")
     if scalars is None:
-        preference, scalars = default_scalars(grid)
+        preference, scalars = default_scalars(grid, vectors_too=True)
     if not isinstance(scalars, str):
         grid, scalars, preference = _with_values(grid, scalars, preference)
-    return grid, scalars, association_of(grid, scalars, preference, "scalars")
+    return grid, scalars, association_of(grid, scalars, preference, "scalars", component, vectors_too=True)
 
 
-def default_scalars(grid: pyvista.DataSet, by_name: bool = False) -> tuple[str, str]:
+def title_of_scalars(grid: pyvista.DataSet, name: str, association: str, component: int | None) -> str:
+    """The title of the scalar bar."""
+    return title_of(name, array_values(grid, name, association), component)
+
+
+def default_scalars(grid: pyvista.DataSet, by_name: bool = False, vectors_too: bool = False) -> tuple[str, str]:
     """ "point" or "cell", and the active scalars or, if these do not have one component, the first array that does.
 
-    Coordinates, masks and numbers are chosen last, and never if there are vectors. `by_name`: the caller's `scalars` is a name, not values.
+    Coordinates, masks and numbers are chosen last, and never if there are vectors. `by_name`: the caller's `scalars` is a name, not values. `vectors_too`: it may be
+    that of vectors, which are chosen if there is nothing else.
     """
     association, name = grid.active_scalars_info
     arrays = [(kind, name, data[name]) for kind, data in (("point", grid.point_data), ("cell", grid.cell_data)) for name in data
               if not name.startswith("vtk")]
     if name is not None and any(its == name and kind == association.name.lower() and _is_scalar(values) for kind, its, values in arrays):
         return association.name.lower(), name
-    vectors = next((name for _, name, values in arrays if values.ndim == 2 and _are_numbers(values) and not is_helper(name)), None)
+    kind_of_vectors, vectors = next(((kind, name) for kind, name, values in arrays if values.ndim == 2 and _are_numbers(values) and not is_helper(name) and not are_colours(values)), (None, None))
     scalars = [(kind, name) for kind, name, values in arrays if _is_scalar(values) and not (vectors and is_helper(name))]
+    if not scalars and vectors is not None and vectors_too:
+        return kind_of_vectors, vectors
     if not scalars:
         ids = "" if arrays or not grid.array_names else " Arrays of ids are not chosen; pass scalars= with the name to draw them."
         raise MissingDataError(f"there is no point or cell array with one component.{_magnitude(vectors, by_name)} {arrays_of(grid)}{ids}")
@@ -117,12 +125,17 @@ def diagonal(grid: pyvista.DataSet) -> float:
     return float(np.linalg.norm(np.ptp(points, axis=0))) if len(points) else 0.0
 
 
-def association_of(grid: pyvista.DataSet, name: str, preference: str, argument: str) -> str:
-    """ "point" or "cell", whichever has the array `name` with one component; `preference` if both have it."""
+def association_of(grid: pyvista.DataSet, name: str, preference: str, argument: str, component: Any = None, vectors_too: bool = False) -> str:
+    """ "point" or "cell", whichever has the array `name` with one component; `preference` if both have it. `vectors_too`: it may have several, of which the `component`
+    is drawn, or the magnitude."""
     for association in (preference, "cell" if preference == "point" else "point"):
         if name in (grid.point_data if association == "point" else grid.cell_data):
             values = array_values(grid, name, association)
-            require_scalars(grid, values_over_time(grid, name, association) if values.ndim == 1 else values, name, argument)
+            if vectors_too:
+                require_component(values, name, component)
+            if values.ndim == 1 or vectors_too and values.dtype.kind != "c":
+                values = values_over_time(grid, name, association, component) if _are_numbers(values) else values
+            require_scalars(grid, values, name, argument)
             return association
     raise MissingDataError(f"{argument}: no array {name!r}. {arrays_of(grid, name)}")
 
@@ -237,6 +250,16 @@ def _refuse_values(grid: pyvista.DataSet, opacity: Any, n_colors: int) -> None:
     warnings.warn(f"{told} For opacities of {kind} pass {wanted}.", UserWarning, stacklevel=level_of_caller())
 
 
+def _with_scalars(grid: pyvista.DataSet, name: str, association: str, component: int | None) -> pyvista.DataSet:
+    """The grid; if the array has several components, a shallow copy in which it has those values that are drawn."""
+    values = array_values(grid, name, association)
+    if values.ndim == 1:
+        return grid
+    grid = grid.copy(deep=False)
+    (grid.point_data if association == "point" else grid.cell_data)[name] = reduced(values, component)
+    return grid
+
+
 def _ramp(values: np.ndarray) -> vtkVolumeProperty:
     """Opacities from 0 to 1 over the range of the values. Their scale does not matter, so that with limits set by the user a medium fades as
     its values do."""
@@ -263,6 +286,7 @@ class Functions:
     opacity_scale: float = 1.0
     preset: str | bool | None = None
     fainter: float = 1.0  # multiplies the default unit distance
+    component: int | None = None  # of vectors; None: their magnitude
 
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
                preference: str, unit_distance: float | None) -> pyvista.VolumeProperty:
@@ -271,7 +295,7 @@ class Functions:
         _refuse_values(grid, self.opacity, self.n_colors)
         clim = self.clim
         self._take_preset(plotter, grid, name, association)
-        table = self._lookup_table(plotter, values_over_time(grid, name, association), name)
+        table = self._lookup_table(plotter, values_over_time(grid, name, association, self.component), name)
         if clim is not None and table is not self.cmap and table.log_scale and _limits(clim)[0] <= 0:
             warnings.warn(f"clim begins at {_limits(clim)[0]:g}, but a logarithmic scale at a positive number: {table.scalar_range[0]:g} is taken, the smallest positive value of {name!r}.",
                           UserWarning, stacklevel=level_of_caller())
@@ -283,6 +307,7 @@ class Functions:
             mapper.SetScalarModeToUsePointFieldData()
         else:
             mapper.SetScalarModeToUseCellFieldData()
+        mapper._vectors, mapper._component = array_values(grid, name, association).ndim > 1, self.component
         mapper.SetOpacityArrayName(self.opacity_scalars or "")
         mapper.SetOpacityScale(require_number(self.opacity_scale, "opacity_scale", least=0))
         given = 1.0 if unit_distance is None else require_number(unit_distance, "opacity_unit_distance", above=0)
@@ -290,11 +315,11 @@ class Functions:
         mapper.attach(prop, table, opacities, opacity_range)
         read = name if self.opacity_scalars is None else self.opacity_scalars
         read_at = association if self.opacity_scalars is None else association_of(grid, read, preference, "opacity_scalars")
-        values = values_over_time(grid, read, read_at)
+        values = values_over_time(grid, read, read_at, self.component)
         _warn_of_transparency(values, read, prop.GetScalarOpacity(), "clim" if self.opacity_scalars is None else "opacity_clim")
         if unit_distance is None:
             measured = _ramp(values) if limits_given else prop
-            mapper.SetInputData(densest(grid, read, measured.GetScalarOpacity()))
+            mapper.SetInputData(_with_scalars(densest(grid, read, measured.GetScalarOpacity(), self.component), read, read_at, self.component))
             prop.opacity_unit_distance = self.fainter * (mapper.FindUnitDistance(measured) or diagonal(grid) or 1.0)
             mapper.SetInputData(grid)
         return prop
@@ -303,13 +328,13 @@ class Functions:
         """Takes colours, opacities and range from the preset, unless the user has set them."""
         if isinstance(self.cmap, str) and self.cmap in presets():
             self.cmap = presets()[self.cmap].colour_map(is_bright(plotter.background_color))
-        chosen = find_preset(self.preset, name, grid)
+        chosen = find_preset(self.preset, title_of_scalars(grid, name, association, self.component), grid)
         if self.preset is None and (self.cmap is not None or self.log_scale or plotter.theme.cmap != pyvista.themes.Theme().cmap):
             chosen = None
         ours = chosen is not None and self.opacity is None and self.opacity_scalars is None
         if chosen is not None:
             self.cmap = chosen.colour_map(is_bright(plotter.background_color)) if self.cmap is None else self.cmap
-            self.clim = chosen.clim(values_over_time(grid, name, association)) if self.clim is None else self.clim
+            self.clim = chosen.clim(values_over_time(grid, name, association, self.component)) if self.clim is None else self.clim
         if self.opacity is None:
             self.opacity = chosen.opacity_values() if ours else "linear"
 

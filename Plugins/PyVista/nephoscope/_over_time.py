@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 import pyvista
 
+from ._components import reduced
+
 _series: weakref.WeakValueDictionary[str, Any] = weakref.WeakValueDictionary()  # by the address of the mesh
 
 
@@ -22,19 +24,20 @@ def follows(mesh: pyvista.DataSet) -> bool:
     return mesh.memory_address in _series
 
 
-def values_over_time(grid: pyvista.DataSet, name: str, association: str) -> np.ndarray:
-    """The values of the array (for vectors, their lengths). For the mesh of a series they are sampled from all steps, including the least and greatest."""
-    values = (grid.point_data if association == "point" else grid.cell_data)[name]
+def values_over_time(grid: pyvista.DataSet, name: str, association: str, component: int | None = None) -> np.ndarray:
+    """The values of the array (for vectors, their lengths, or the component). For the mesh of a series they are sampled from all steps, including the least and greatest."""
     series = _series.get(grid.memory_address)
-    return values if series is None else np.concatenate(series.samples(name))
+    if series is not None:
+        return np.concatenate(series.samples(name, component))
+    return reduced((grid.point_data if association == "point" else grid.cell_data)[name], component)
 
 
-def densest(grid: pyvista.DataSet, name: str, opacity: Any) -> pyvista.DataSet:
-    """The grid; for the mesh of a series, the grid of the step with the greatest mean of the function `opacity`."""
+def densest(grid: pyvista.DataSet, name: str, opacity: Any, component: int | None = None) -> pyvista.DataSet:
+    """The grid; for the mesh of a series, the grid of the step with the greatest mean of the function `opacity` of the values, as `values_over_time` takes them."""
     series = _series.get(grid.memory_address)
     if series is None:
         return grid
-    return series.greatest(name, lambda values: np.mean([opacity.GetValue(value) for value in values]))
+    return series.greatest(name, lambda values: np.mean([opacity.GetValue(value) for value in values]), component)
 
 
 def lengths_of_vectors(grid: pyvista.DataSet, name: str) -> np.ndarray:

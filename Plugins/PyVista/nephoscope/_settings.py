@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pyvista
 
+from ._components import choose_component
 from ._copies import copied_mapper
 from ._typing import Numbers
 from .transfer import beyond, colour_function, opacity_function
@@ -49,6 +50,8 @@ class MediumMapper(KnownSettings):
 
     _prop: pyvista.VolumeProperty | None = None
     _table: Any = None
+    _vectors: bool = False  # whether the scalars are vectors,
+    _component: int | None = None  # of which this component, or else the magnitude, is drawn
 
     def attach(self, prop: pyvista.VolumeProperty, table: pyvista.LookupTable, opacities: np.ndarray,
                opacity_clim: tuple[float, float] | None) -> None:
@@ -69,6 +72,7 @@ class MediumMapper(KnownSettings):
         """A mapper with the same settings, independent of this one except for the shared data."""
         mapper = copied_mapper(self)
         mapper._prop, mapper._opacities, mapper._opacity_clim = self._prop, self._opacities, self._opacity_clim
+        mapper._vectors, mapper._component = self._vectors, self._component
         return mapper
 
     @property
@@ -94,7 +98,9 @@ class MediumMapper(KnownSettings):
         table = self.lookup_table
         low, high = clim
         table.scalar_range = (low if low > 0 or not table.log_scale else table.scalar_range[0], high)
-        self._prop.SetColor(colour_function(table))
+        colours = colour_function(table)
+        choose_component(colours, self._vectors, self._component)
+        self._prop.SetColor(colours)
         if self._opacity_clim is None:
             opacity = opacity_function(self._opacities, table.scalar_range, table.log_scale)
             for scalar, colour in beyond(table):

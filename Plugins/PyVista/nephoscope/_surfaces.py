@@ -13,6 +13,7 @@ from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumeProperty
 
 from ._checks import arrays_of, as_array, choose, require_number
+from ._medium import require_scalars
 from ._over_time import values_over_time
 from ._pipeline import level_of_caller
 from ._typing import Numbers
@@ -100,9 +101,9 @@ class Contours:
     lighting: bool = True
     smooth: bool = True
 
-    def apply(self, mapper: Any, grid: pyvista.DataSet, array_name: str, association: str) -> int:
+    def apply(self, mapper: Any, grid: pyvista.DataSet, array_name: str, association: str, component: int | None) -> int:
         """Applies the contours and returns their number."""
-        values = self._values(grid, array_name, association)
+        values = self._values(grid, array_name, association, component)
         opacities, colors = self._opacities(len(values)), self._colors(len(values))
         for i, value in enumerate(values):
             mapper.SetContourValue(i, value)
@@ -114,20 +115,22 @@ class Contours:
         mapper.SetSmoothContourNormals(self.smooth)
         return len(values)
 
-    def _values(self, grid: pyvista.DataSet, array_name: str, association: str) -> list[float]:
+    def _values(self, grid: pyvista.DataSet, array_name: str, association: str, component: int | None) -> list[float]:
         if self.values is None:
             if self.scalars is not None:
                 raise ValueError("contours has the option 'scalars', but no 'values'; name the values.")
             return []
         if self.scalars is not None and self.scalars not in grid.point_data:
             raise MissingDataError(f"contours['scalars']: no point array {self.scalars!r}. {arrays_of(grid)}")
+        if self.scalars is not None:
+            require_scalars(grid, grid.point_data[self.scalars], self.scalars, "contours['scalars']")
         if self.scalars is None and association == "cell":
             raise ValueError(f"contours: {array_name!r} is a cell array, which has no surfaces inside its cells. "
                              "Use grid.cell_data_to_point_data(), or name a point array as contours['scalars'].")
         if isinstance(self.values, (int, np.integer)) and not isinstance(self.values, bool):
             if self.values < 1:
                 raise ValueError(f"contours is {self.values}; a number of contours must be 1 or more.")
-            return list(np.linspace(*self._range(grid, array_name), self.values + 2)[1:-1])
+            return list(np.linspace(*self._range(grid, array_name, component), self.values + 2)[1:-1])
         try:
             values = np.atleast_1d(as_array(self.values))
             values = values.astype(float) if values.dtype.kind in "iuf" else np.array([np.nan])
@@ -135,14 +138,14 @@ class Contours:
             values = np.array([np.nan])
         if values.ndim != 1 or not np.isfinite(values).all():
             raise ValueError(f"contours is {self.values!r}; it must be finite values, or a number of contours.")
-        low, high = self._range(grid, array_name)
+        low, high = self._range(grid, array_name, component)
         if values.size and not ((values >= low) & (values <= high)).any():
             warnings.warn(f"contours: no value is within the range of {self.scalars or array_name!r}, {low:g} to {high:g}, so that no surface is drawn.", UserWarning,
                           stacklevel=level_of_caller())
         return [float(v) for v in values]
 
-    def _range(self, grid: pyvista.DataSet, array_name: str) -> tuple[float, float]:
-        scalars = np.asarray(values_over_time(grid, self.scalars or array_name, "point"), float)  # a surface may come later
+    def _range(self, grid: pyvista.DataSet, array_name: str, component: int | None) -> tuple[float, float]:
+        scalars = np.asarray(values_over_time(grid, self.scalars or array_name, "point", component), float)  # a surface may come later
         scalars = scalars[np.isfinite(scalars)]
         return float(scalars.min(initial=np.inf)), float(scalars.max(initial=-np.inf))
 

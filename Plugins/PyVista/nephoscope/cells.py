@@ -12,7 +12,7 @@ from . import vtkCellCompositingMapper
 from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
 from ._fields import FLAT_GRID
-from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
+from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
 from ._uniform import FAINTER, is_bare, uniform_colours
@@ -36,7 +36,7 @@ class CellCompositingMapper(MediumMapper, vtkCellCompositingMapper):
         return mapper
 
 
-def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray | None = None, *,
+def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray | None = None, *, component: int | None = None,
               color: Any = None, cmap: Any = None, opacity: OpacityLike | None = None, clim: float | Numbers | None = None,
               n_colors: int = 256, flip_scalars: bool = False, log_scale: bool = False,
               opacity_scalars: str | None = None, opacity_clim: float | Numbers | None = None,
@@ -66,7 +66,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         an ImageData, data of xarray become the mesh of ``dataset.nephoscope.mesh()``.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Masked values count as missing. Default: the active scalars, otherwise the first numeric
-        array; none if `color` is given or the grid has no arrays. Unlike `add_volume`, this does not change `grid`.
+        array, otherwise vectors; none if `color` is given or the grid has no arrays. Unlike `add_volume`, this does not change `grid`.
+    component : int, optional
+        If `scalars` are vectors or tensors: the component to draw, from 0. Default: their magnitude. The title of the scalar bar tells which.
     color : ColorLike, optional
         One colour for the whole volume; `scalars` then set the opacity only. Without `scalars` the medium is uniform. Default for a grid
         without arrays: the theme's colour of meshes.
@@ -207,10 +209,10 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         cmap, show_scalar_bar = uniform_colours(plotter, color, cmap), bool(show_scalar_bar)
     if uniform:
         scalars, clim, preference = np.ones(grid.n_cells), (0, 1), "cell"
-    grid, array_name, association = scalar_array(grid, scalars, preference)
+    grid, array_name, association = scalar_array(grid, scalars, preference, component)
     mapper = CellCompositingMapper()
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset, FAINTER if uniform and opacity_scalars is None else 1.0).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
+                     opacity_scale, preset, FAINTER if uniform and opacity_scalars is None else 1.0, component).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")
@@ -220,10 +222,10 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
             "triangles-linear": mapper.SetMethodToTrianglesLinear, "triangles-table": mapper.SetMethodToTrianglesTable,
             "faces": mapper.SetMethodToFaces}, method, "method")
     mapper.SetSplitAtControlPoints(bool(split_at_control_points))
-    count = surfaces.apply(mapper, grid, array_name, association)
+    count = surfaces.apply(mapper, grid, array_name, association, component)
     Layers(layers, layer_scalars).apply(mapper, grid, count, prop)
     painted.apply(mapper)
-    return add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
+    return add_medium(plotter, mapper, prop, title_of_scalars(grid, array_name, association, component), user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                       scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 
 

@@ -16,6 +16,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from . import vtkCloudTextureMapper
 from ._blocks import cell_dimension, named_blocks
 from ._checks import arrays_of, as_array, choose, listed, require_number
+from ._components import require_component, title_of
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
 from ._fields import is_bright, presets
@@ -102,7 +103,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         The surface, for example from `cloud_surface`. Blocks are combined; for other data the outer surface is drawn. With the coordinates of
         `advect_texture` the texture moves with the wind; without them it is fixed to positions.
     scalars : str or numpy.ndarray, optional
-        Point or cell array that colours the clouds. Default: none, the clouds have one colour.
+        Point or cell array that colours the clouds; vectors give their magnitude, or the `component` given in **options. Default: none, the clouds have one colour.
     color : ColorLike, optional
         The colour without `scalars`. Default: white; on a bright background the middle grey of the preset ``'clouds'`` of `add_cells`, unless
         the plotter has another surface, such as the ground.
@@ -235,6 +236,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     peels = int(require_number(peels, "peels", least=0))
     if scalars is not None and not isinstance(scalars, str):
         scalars = as_array(scalars)
+    if scalars is not None and not options.get("rgb"):
+        _say_component(surface, scalars, options)
     if scalars is None:
         options["color"] = _default_color(plotter) if color is None else color
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
@@ -272,6 +275,15 @@ def _light(plotter: pyvista.BasePlotter, surface: pyvista.PolyData, scalars: Any
     options.update({name: value for name, value in own.items() if name not in options})
     add_sun(plotter, direction)
     return surface, "Sunlight"
+
+
+def _say_component(surface: pyvista.PolyData, scalars: str | np.ndarray, options: dict[str, Any]) -> None:
+    """Titles the scalar bar of vectors, of which `add_mesh` draws the magnitude or a component. Raises TypeError or ValueError as `require_component` does."""
+    name = scalars if isinstance(scalars, str) else "Data"
+    values = surface[name] if isinstance(scalars, str) and name in surface.array_names else scalars
+    if np.ndim(values) == 2:
+        require_component(values, name, options.get("component"), "For the colours themselves pass rgb=True.")
+        options["scalar_bar_args"] = {"title": title_of(name, values, options.get("component")), **(options.get("scalar_bar_args") or {})}
 
 
 def _needs_thickness(use_thickness: bool | None, settings: dict[str, Any]) -> bool:

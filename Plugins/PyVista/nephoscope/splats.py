@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkS
 from . import vtkTexturedSplatMapper
 from ._checks import choose, renamed_argument, require_beside_scalars, require_number
 from ._copies import copied_table
-from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array
+from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
 from ._uniform import FAINTER, concentration, is_bare, uniform_colours
 from ._typing import Kernel, LevelOfDetailOptions, Numbers, OldSplatNames, Preference, ToneMapping, VectorOptions
@@ -99,7 +99,7 @@ class LevelOfDetail:
         mapper.SetInteractiveMaximumNumberOfSplats(int(most))
 
 
-def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
+def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *, component: int | None = None,
                color: Any = None, cmap: Any = None, opacity: OpacityLike | None = None,
                clim: float | Numbers | None = None, n_colors: int = 256, flip_scalars: bool = False,
                log_scale: bool = False, opacity_scalars: str | None = None,
@@ -128,7 +128,9 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         of xarray become the mesh of ``dataset.nephoscope.mesh()``. It is not changed.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values for all points or all cells; masked values count as missing. A cell array makes one splat per cell. Default: the active scalars,
-        otherwise the first numeric array; none if `color` is given or the mesh has no arrays.
+        otherwise the first numeric array, otherwise vectors; none if `color` is given or the mesh has no arrays.
+    component : int, optional
+        As in `add_cells`: the component of vectors that are `scalars`. Default: their magnitude.
     color : ColorLike, optional
         One colour for all splats; `scalars` then set the opacity only. Without `scalars` the medium is uniform. Default for a mesh without
         arrays: the theme's colour of meshes.
@@ -263,7 +265,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
             on_cells = not mesh.point_data and mesh.cell_data  # for hyper tree grids, for example: each cell has its own size
             scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"
     given = mesh
-    mesh, array_name, association = scalar_array(mesh, scalars, preference)
+    mesh, array_name, association = scalar_array(mesh, scalars, preference, component)
     if opacity_scalars is not None:
         require_beside_scalars(mesh, opacity_scalars, association, "opacity_scalars")
     mapper = TexturedSplatMapper()
@@ -275,11 +277,11 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     streaks.apply(mapper, plotter, mesh, association)
     fainter = FAINTER * concentration(mesh.points) if uniform and opacity_scalars is None else 1.0
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset, fainter).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
+                     opacity_scale, preset, fainter, component).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
     streaks.suit(mapper, plotter, prop, given)
     if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
         show_scalar_bar = False  # nothing uses its colours
-    volume = add_medium(plotter, mapper, prop, array_name, user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
+    volume = add_medium(plotter, mapper, prop, title_of_scalars(mesh, array_name, association, component), user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                         scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
     if shows_bars:
         streaks.add_bar(plotter, scalar_bar_args)

@@ -65,8 +65,8 @@ class DatasetSeries(Series):
         if step < len(self) and step not in self._coming:
             self._coming = {step: self._submit(self._read, step)}
 
-    def _sample(self, step: int, name: str) -> np.ndarray:
-        return self._submit(super()._sample, step, name).result()
+    def _sample(self, step: int, name: str, component: int | None) -> np.ndarray:
+        return self._submit(super()._sample, step, name, component).result()
 
     def _values(self, step: int, name: str) -> np.ndarray:
         """The values at a step. If the mesh has the variable unchanged from the file, only the variable is read."""

@@ -12,6 +12,7 @@ import pyvista
 from pyvista.core.errors import MissingDataError
 
 from .._checks import arrays_of
+from .._components import reduced
 from .._over_time import follow
 
 SAMPLED_STEPS = 50  # sampled for the range of colours and opacities if no limits are given
@@ -28,7 +29,7 @@ class Series(Sequence):
     def __init__(self, times: list[str], mesh: pyvista.DataSet) -> None:
         """`mesh`: with the values of the first step, whose colours and opacities are to suit all steps."""
         self.times, self.mesh, self.step = times, mesh, 0
-        self._samples: dict[str, list[np.ndarray]] = {}
+        self._samples: dict[tuple[str, int | None], list[np.ndarray]] = {}
         self._listeners: list[Callable[[int], Any]] = []
         follow(mesh, self)
 
@@ -72,24 +73,23 @@ class Series(Sequence):
         values = np.concatenate(self.samples(name))
         return float(values.min()), float(values.max())
 
-    def samples(self, name: str) -> list[np.ndarray]:
-        """Finite values of an array for each sampled step, including its least and greatest; they are read once."""
-        if name not in self._samples:
-            self._samples[name] = [self._sample(step, name) for step in self._sampled()]
-        return self._samples[name]
+    def samples(self, name: str, component: int | None = None) -> list[np.ndarray]:
+        """Finite values of an array (for vectors, of their length or of a component) for each sampled step, including the least and greatest; they are read once."""
+        if (name, component) not in self._samples:
+            self._samples[name, component] = [self._sample(step, name, component) for step in self._sampled()]
+        return self._samples[name, component]
 
-    def greatest(self, name: str, measure: Callable[[np.ndarray], float]) -> pyvista.DataSet:
-        """The mesh of the sampled step whose values have the greatest `measure`."""
-        measures = [measure(values) if len(values) else -np.inf for values in self.samples(name)]
+    def greatest(self, name: str, measure: Callable[[np.ndarray], float], component: int | None = None) -> pyvista.DataSet:
+        """The mesh of the sampled step whose values, as in `samples`, have the greatest `measure`."""
+        measures = [measure(values) if len(values) else -np.inf for values in self.samples(name, component)]
         step = int(self._sampled()[int(np.argmax(measures))])
         return self.mesh if step == self.step else self[step]
 
     def _sampled(self) -> np.ndarray:
         return np.unique(np.linspace(0, len(self) - 1, min(len(self), SAMPLED_STEPS)).round().astype(int))
 
-    def _sample(self, step: int, name: str) -> np.ndarray:
-        values = self._values(step, name)
-        values = values if values.ndim == 1 else np.linalg.norm(values, axis=1)
+    def _sample(self, step: int, name: str, component: int | None) -> np.ndarray:
+        values = reduced(self._values(step, name), component)
         finite = values[np.isfinite(values)]
         if finite.size <= SAMPLED_VALUES:
             return finite
