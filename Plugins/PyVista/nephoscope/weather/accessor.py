@@ -240,7 +240,8 @@ class WeatherAccessor:
         screenshot : str, optional
             File for the picture. Default: a window.
         vertical_exaggeration : float, optional
-            Multiplies heights. Default: 30, and 1 for a flat grid.
+            Multiplies heights. Default: 30, but less for data that would be higher than 0.4 of their width or of the radius of the planet, such as those of small regions and
+            of the thermosphere. For a flat grid 1, but more for one that is lower than a tenth of its width (a fifth in a section); the picture tells it.
         opacity, cmap, clim : optional
             As in `nephoscope.add_cells`.
         window_size : sequence of 2 int, default: (800, 800)
@@ -258,26 +259,39 @@ class WeatherAccessor:
         pyvista.Plotter
             The plotter, after it has been shown. After ``screenshot`` it can draw further pictures: set ``plotter.camera_position``, and call ``plotter.screenshot("other.png")``.
         """
+        from .exaggeration import USUAL, suited
         from .naming import refuse_unknown, title
         from .picture import plotted
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
         if self._is_flat(options):
-            return self._plotted_flat(scalars, screenshot, window_size, view, look, {"time": time, "vertical_exaggeration": 1.0 if vertical_exaggeration is None else vertical_exaggeration, **options})
+            return self._plotted_flat(scalars, screenshot, window_size, view, look, vertical_exaggeration, {"time": time, **options})
         refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", *LOOK_OF_PLOT))
         found, of_field = self._of_field(scalars, time, options)
         lit = "sun" in look  # needs all water and the air
-        grid = self.globe(time=time, vertical_exaggeration=30.0 if vertical_exaggeration is None else vertical_exaggeration, **(options if lit else of_field))
+        make = lambda factor: self.globe(time=time, vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731
+        grid = suited(make, USUAL) if vertical_exaggeration is None else make(vertical_exaggeration)
         if lit:
             from .in_the_sun import sun_of
             look["sun"], found = sun_of(look["sun"], self._understood(0 if time is None else time, options.get("vertical"), _options(options)[0])[0], grid), None
         return plotted(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size, view)
 
+    def _exaggeration(self, options: dict[str, Any]) -> float:
+        """What suits a picture of the first step."""
+        import warnings
+
+        from .exaggeration import USUAL, suitable
+        usual = 1.0 if self._is_flat(options) else USUAL
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the series will tell
+            return suitable(self.mesh(**{"time": 0, **options, "vertical_exaggeration": usual}), usual)
+
     def _is_flat(self, options: dict[str, Any]) -> bool:
         from .flat import is_flat
         return bool({"x", "y", "z"} & set(options)) or is_flat(self._dataset)
 
-    def _plotted_flat(self, scalars: str | None, screenshot: str | None, window_size: Sequence[int], view: Any, look: dict[str, Any], options: dict[str, Any]) -> pyvista.Plotter:
+    def _plotted_flat(self, scalars: str | None, screenshot: str | None, window_size: Sequence[int], view: Any, look: dict[str, Any], exaggeration: float | None, options: dict[str, Any]) -> pyvista.Plotter:
+        from .exaggeration import suited
         from .flat_picture import plotted_flat
         from .naming import title
         unknown = [name for name in options if name not in FLAT]
@@ -286,7 +300,8 @@ class WeatherAccessor:
                             f"{', '.join(LOOK_OF_PLOT)}.")
         found, of_field = self._of_field(scalars, None, options)
         lit = "sun" in look  # needs all water and the air
-        grid = self.grid(**(options if lit else of_field))
+        make = lambda factor: self.grid(vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731
+        grid = suited(make, 1.0) if exaggeration is None else make(exaggeration)
         return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size, view)
 
     def _flat_column(self, quantity: str, time: Any, options: dict[str, Any]) -> pyvista.DataSet:

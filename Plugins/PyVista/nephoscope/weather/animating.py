@@ -36,7 +36,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     ----------
     plotter : pyvista.Plotter
         The plotter to draw in, its active sub-plot; its other contents stay. Each animation has its own time and its own slider. In a plotter that is empty and has PyVista's defaults, a field is drawn as ``dataset.nephoscope.plot`` does:
-        over the Earth or a map, on a dark background, with a vertical exaggeration of 30 unless you give one; flat, without exaggeration, if x and y are lengths.
+        over the Earth or a map, on a dark background, with its vertical exaggeration unless you give one; flat, if x and y are lengths.
     dataset : xarray.Dataset, Series, str, sequence or dict of pyvista.DataSet, or callable
         The weather, its series (``dataset.nephoscope.series()``), or what `nephoscope.open` takes. Or PyVista meshes of one type: a list, a dict by time, or a
         function that takes one of `times` and returns the mesh. They are not changed. A mesh may be a MultiBlock, such as an OpenFOAM case: its blocks become one mesh,
@@ -83,7 +83,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     from .picture import darken, is_untouched
     whole = isinstance(draw, str) and is_untouched(plotter)
     look = _look(draw, options)
-    series, draw = _series(dataset, draw, heights, options, 30.0 if whole else 1.0, times)
+    series, draw = _series(dataset, draw, heights, options, whole, times)
     whole = whole and not isinstance(series, MeshSeries)
     before = set(plotter.renderer.actors)
     if callable(draw):
@@ -112,8 +112,8 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     return series
 
 
-def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration: float, times: Any) -> tuple[Series, Any]:
-    """The series, and the array that is drawn."""
+def _series(dataset: Any, draw: Any, heights: bool, options: dict, suits: bool, times: Any) -> tuple[Series, Any]:
+    """The series, and the array that is drawn. `suits`: heights are exaggerated as suits a picture, unless the options say how."""
     if is_meshes(dataset):
         _refuse(options, heights, "the meshes exist already, so they cannot take these options.")
         return mesh_series(dataset, times), draw
@@ -124,10 +124,10 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict, exaggeration:
         return dataset, draw
     from .opening import open as opened
     found = opened(dataset)
-    if exaggeration != 1 and not found.nephoscope._is_flat(options):
-        options = {"vertical_exaggeration": exaggeration, **options}
     if isinstance(draw, str):
         draw, options = found.nephoscope._of_field(draw, 0, options)
+    if suits and "vertical_exaggeration" not in options:
+        options = {"vertical_exaggeration": found.nephoscope._exaggeration(options), **options}
     return DatasetSeries(found, heights=heights, owned=found is not dataset, **options), draw
 
 

@@ -11,6 +11,7 @@ import pyvista
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .bars import finish_bars, make_room
+from .exaggeration import say
 from .look import surface_look
 from .picture import BESIDE, refuse_volume
 from .view import PicturePlotter, set_view
@@ -36,6 +37,7 @@ def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str 
     """The field as a volume in the outline of its grid, seen from the south and from above; a field of one level or a section as a surface."""
     options = {"scalar_bar_args": BESIDE, **options}
     (_draw_volume if cell_dimension(grid) == 3 else _draw_section)(plotter, grid, scalars, options)
+    say(plotter, grid)
     finish_bars(plotter, title)
     make_room(plotter, as_high=False)
 

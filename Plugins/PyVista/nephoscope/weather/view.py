@@ -13,6 +13,7 @@ from .._fields import preset_of_field
 from ..globe import EARTH_RADIUS
 
 AMERICA = np.array([0.3, -1.0, 0.35])  # of fields all round the globe
+WIDE, HIGH = 0.8, 0.92  # of the picture, for a region beside the scalar bar
 CONCENTRATED = 0.75  # length of the mean direction of a field on one side of the globe; that of one that increases evenly from pole to pole is 2/3
 
 
@@ -74,6 +75,28 @@ def side_of(grid: pyvista.DataSet, name: str) -> np.ndarray | None:
     return mean if np.linalg.norm(mean) > CONCENTRATED else None
 
 
+def _fitted(across: np.ndarray, towards: np.ndarray, share: float) -> tuple[float, float]:
+    """Where the camera is along an axis of the picture, and its distance, so that no point is seen farther from the middle than `share` of the distance to it."""
+    low, high = (float((side * across + share * towards).max()) for side in (-1, 1))
+    return 0.5 * (high - low), 0.5 * (high + low) / share
+
+
+def _look_at_part(plotter: pyvista.BasePlotter, points: np.ndarray, middle: np.ndarray) -> None:
+    """Places the camera above the middle of the data of a region, so that they fill the picture beside the scalar bar."""
+    towards = middle / np.linalg.norm(middle)
+    north = np.array((0, 0, 1) if abs(towards[2]) < 0.95 else (1, 0, 0), float)
+    east = np.cross(north, towards) / np.linalg.norm(np.cross(north, towards))
+    upward = np.cross(towards, east)
+    half = np.tan(np.radians(0.5 * plotter.camera.view_angle))
+    sideways, distance = _fitted((points - middle) @ east, (points - middle) @ towards, WIDE * half)
+    upwards, other = _fitted((points - middle) @ upward, (points - middle) @ towards, HIGH * half)
+    plotter.camera.focal_point = middle + sideways * east + upwards * upward
+    plotter.camera.position = plotter.camera.focal_point + max(distance, other) * towards
+    plotter.camera.up = north
+    plotter.camera.SetWindowCenter(0.13, 0)  # room for the scalar bar
+    plotter.reset_camera_clipping_range()
+
+
 def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.ndarray, name: str | None, view: Any) -> None:
     """Places the camera above a place, by default the middle of the data or of the field, far enough to show all of them, with north up."""
     points = points[:: max(1, len(points) // 5000)]
@@ -83,6 +106,9 @@ def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.nd
         middle = (AMERICA if side is None else side / np.linalg.norm(side)) * EARTH_RADIUS
     part = np.linalg.norm(middle) > 0.6 * EARTH_RADIUS and np.ptp(points, axis=0).max() < 1.2 * EARTH_RADIUS
     centre = middle if part else np.zeros(3)
+    if part and view is None:
+        _look_at_part(plotter, points, middle)
+        return
     size = np.linalg.norm(points - centre, axis=1).max()
     upward = middle / np.linalg.norm(middle)
     if view is not None:
