@@ -89,6 +89,23 @@ class Animation(unittest.TestCase):
                                       capture_output=True, text=True, check=True).stdout
                 self.assertEqual(told.strip(), "122,90,yuv420p,4")
 
+    def test_films_have_no_bands(self):
+        """Slow changes of colour are those of the pictures, to a step of 255 in the mean over a few pixels."""
+        from nephoscope.weather.animating import _gif
+        from PIL import Image, ImageFilter
+        shades = np.linspace(0, 1, 256)
+        with tempfile.TemporaryDirectory() as folder:
+            pictures = [Image.fromarray(np.stack(np.broadcast_arrays(255 * shades[None] * shades[:, None], 200 * shades[None], 90 + 100 * turn * shades[:, None]), axis=-1).astype(np.uint8))
+                        for turn in (1, 0.5)]
+            for i, picture in enumerate(pictures):
+                picture.save(Path(folder, f"{i}.png"))
+            _gif(Path(folder), Path(folder, "film.gif"), 8)
+            film = self.enterContext(Image.open(Path(folder, "film.gif")))
+            for i, picture in enumerate(pictures):
+                film.seek(i)
+                shown, smooth = (np.asarray(one.filter(ImageFilter.GaussianBlur(3)), float)[8:-8, 8:-8] for one in (film.convert("RGB"), picture))
+                self.assertLess(np.abs(shown - smooth).mean(), 0.8)
+
     def test_an_untouched_plotter_gets_the_whole_picture(self):
         for touched in (False, True):
             for level, options in ((slice(None), {}), (slice(None), {"projection": "map"}), (1, {"projection": "map"})):

@@ -249,9 +249,15 @@ def _film(plotter, series: Series, turn_to: Callable[[float], None], path: Path,
 
 
 def _gif(folder: Path, path: Path, framerate: float) -> None:
+    """Each frame has the 256 colours that suit it, dithered: colours that change slowly, as those of clouds do, would have bands."""
     from PIL import Image
-    frames = [Image.open(name).convert("RGB").quantize(128) for name in sorted(folder.glob("*.png"))]
+    frames = [_dithered(Image.open(name).convert("RGB")) for name in sorted(folder.glob("*.png"))]
     frames[0].save(path, save_all=True, append_images=frames[1:], duration=round(1000 / framerate), loop=0)
+
+
+def _dithered(frame: Any) -> Any:
+    from PIL import Image
+    return frame.quantize(palette=frame.quantize(256, Image.Quantize.FASTOCTREE), dither=Image.Dither.FLOYDSTEINBERG)
 
 
 def _ffmpeg() -> str:
