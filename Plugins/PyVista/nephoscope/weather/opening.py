@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import glob
+import json
 from pathlib import Path
 from typing import Any, Sequence
 
 from .._typing import WeatherDataset
 from .accessor import register
 from .extras import need
+from .foreign import described, inside
 
 GRIB_NAMES = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb1")
 
@@ -102,10 +104,16 @@ def _paths(path: Any) -> list[Path]:
 
 def _kind(path: Path) -> str:
     if path.is_dir():
+        if _is_zarr_array(path):
+            raise ValueError(f"{path} is one array of a Zarr store. Name the store, the folder above it: {path.parent}.")
         if any((path / name).exists() for name in (".zgroup", ".zmetadata", "zarr.json")):
             return "Zarr"
+        if (path / "system" / "controlDict").exists():
+            raise ValueError(f"{path} is a case of OpenFOAM. Read it by pyvista.OpenFOAMReader, and draw it by nephoscope.add_cells (make an empty file case.foam in the folder, and name that).")
         raise ValueError(f"{path} is a folder, but not a Zarr store (it has no .zgroup and no zarr.json). Name a file or a pattern, {path}/*.nc for example.")
-    if path.suffix == ".zip":
+    if path.suffix.lower() == ".zip":
+        if told := inside(path):
+            raise ValueError(told)
         return "Zarr"
     with path.open("rb") as file:
         start = file.read(65536)  # bulletins have headers
@@ -113,8 +121,17 @@ def _kind(path: Path) -> str:
         return "NetCDF"
     if b"GRIB" in start:
         return "GRIB"
+    if told := described(path, start):
+        raise ValueError(f"{told} `open` reads GRIB, NetCDF and Zarr, and takes xarray.Dataset.")
     raise ValueError(f"{path} is neither GRIB nor NetCDF: it begins with {start[:8]!r}" + ("; the file is empty." if not start else ".")
                      + (" By its name it should be GRIB: it is damaged or incomplete." if path.suffix.lower() in GRIB_NAMES else ""))
+
+
+def _is_zarr_array(path: Path) -> bool:
+    if (path / ".zarray").exists():
+        return True
+    about = path / "zarr.json"  # of edition 3
+    return about.exists() and json.loads(about.read_text(encoding="utf-8")).get("node_type") == "array"
 
 
 def _open_grib(paths: Sequence[Path], grid, chunks, options):
