@@ -62,6 +62,9 @@ _NAMES_OF_MAPPERS = {
     "Blank such points, or replace the values": "Replace the values (numpy.nan_to_num), hide their cells (mesh.hide_cells), or leave these out: "
     "mesh.threshold(scalars=name, all_scalars=True)",
     "Choose an array with SelectScalarArray and SetScalarMode": "Choose an array by scalars",
+    "add the volume to this renderer, and render first": "draw the volume with this plotter first, and keep the plotter open: plotter.show(auto_close=False)",
+    "render first, without peeling volumes": "draw first, plotter.show(auto_close=False), without peeling volumes",
+    "set VectorArrayName and render first": "pass vectors, and draw first: plotter.show(auto_close=False)",
     "ScalarOpacityUnitDistance of the property": "opacity_unit_distance", "ScalarOpacityUnitDistance": "opacity_unit_distance",
     "The scalar opacity function has no points, so that everything is transparent: add some with AddPoint":
         "The scalar opacity function has no points, so that everything is transparent: give opacity",

@@ -35,6 +35,13 @@ class CellCompositingMapper(MediumMapper, vtkCellCompositingMapper):
             mapper.SetLayerProperty(layer, prop)
         return mapper
 
+    def Pick(self, renderer: Any, x: float, y: float) -> bool:
+        """As `vtkCellCompositingMapper.Pick`. An off-screen plotter that has not drawn the volume yet does so first."""
+        plotter = getattr(renderer, "parent", None)
+        if self.GetNumberOfTetrahedra() == 0 and getattr(plotter, "off_screen", False) and getattr(plotter, "render_window", None) is not None:
+            plotter.screenshot(return_img=False)
+        return super().Pick(renderer, x, y)
+
 
 def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray | None = None, *, component: int | None = None,
               color: Any = None, cmap: Any = None, opacity: OpacityLike | None = None, clim: float | Numbers | None = None,
