@@ -228,7 +228,7 @@ class WeatherAccessor:
              opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] = (800, 800), view: Any = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
-        With ``projection="map"`` the picture is a map, seen from above with north up. Data whose x and y are lengths are drawn flat; see `grid`.
+        A section at one longitude or latitude, or a mean along these, is drawn by latitude or longitude and height. With ``projection="map"`` the picture is a map, seen from above with north up. Data whose x and y are lengths are drawn flat; see `grid`.
 
         Parameters
         ----------
@@ -260,12 +260,16 @@ class WeatherAccessor:
             The plotter, after it has been shown. After ``screenshot`` it can draw further pictures: set ``plotter.camera_position``, and call ``plotter.screenshot("other.png")``.
         """
         from .exaggeration import USUAL, suited
+        from .flat_picture import plotted_section
         from .naming import refuse_unknown, title
         from .picture import plotted
+        from .sections import as_section, axis_of_section
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
         if self._is_flat(options):
             return self._plotted_flat(scalars, screenshot, window_size, view, look, vertical_exaggeration, {"time": time, **options})
+        if (section := as_section(self._dataset)) is not self._dataset:
+            return WeatherAccessor(section).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, **look, **options)
         refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", *LOOK_OF_PLOT))
         found, of_field = self._of_field(scalars, time, options)
         lit = "sun" in look  # needs all water and the air
@@ -274,7 +278,8 @@ class WeatherAccessor:
         if lit:
             from .in_the_sun import sun_of
             look["sun"], found = sun_of(look["sun"], self._understood(0 if time is None else time, options.get("vertical"), _options(options)[0])[0], grid), None
-        return plotted(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size, view)
+        draw = plotted_section if axis_of_section(grid) else plotted
+        return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size, view)
 
     def _exaggeration(self, options: dict[str, Any]) -> float:
         """What suits a picture of the first step."""

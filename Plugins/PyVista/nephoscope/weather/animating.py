@@ -165,6 +165,8 @@ def _first_picture(series: Series, name: str, look: dict) -> Callable:
     from .naming import title
     from .flat_picture import draw_flat
     from .picture import draw as draw_globe
+    from .picture import refuse_sections
+    refuse_sections(series.mesh)
     draw = draw_globe if "GlobeGridProjection" in series.mesh.field_data else draw_flat
     return lambda plotter, mesh: draw(plotter, mesh, name, look, lambda array: title(series._dataset, mesh, array))
 

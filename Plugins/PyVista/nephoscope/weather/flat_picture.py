@@ -14,6 +14,7 @@ from .bars import finish_bars, make_room
 from .exaggeration import say
 from .look import surface_look
 from .picture import BESIDE, refuse_volume
+from .sections import unrolled
 from .view import PicturePlotter, set_view
 
 GROUND = (0.06, 0.13, 0.2)
@@ -33,10 +34,28 @@ def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | N
     return plotter
 
 
+def plotted_section(grid: pyvista.StructuredGrid, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str], window_size: Sequence[int],
+                    view: Any) -> pyvista.Plotter:
+    """A section of the globe, by latitude or longitude and height."""
+    sheet, scales = unrolled(grid, min(1.0, max(0.4, HIGH / WIDE * window_size[1] / window_size[0])))
+    plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
+    _draw_section(plotter, sheet, scalars, {"scalar_bar_args": BESIDE, **options}, "y", scales)
+    finish_bars(plotter, title)
+    make_room(plotter, as_high=False)
+    if view is not None:
+        set_view(plotter, view)
+    plotter.show(screenshot=screenshot or False, auto_close=False)
+    return plotter
+
+
 def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
     """The field as a volume in the outline of its grid, seen from the south and from above; a field of one level or a section as a surface."""
     options = {"scalar_bar_args": BESIDE, **options}
-    (_draw_volume if cell_dimension(grid) == 3 else _draw_section)(plotter, grid, scalars, options)
+    if cell_dimension(grid) == 3:
+        _draw_volume(plotter, grid, scalars, options)
+    else:
+        flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
+        _draw_section(plotter, grid, scalars, options, flat, _lengths(grid))
     say(plotter, grid)
     finish_bars(plotter, title)
     make_room(plotter, as_high=False)
@@ -56,14 +75,13 @@ def _draw_volume(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: s
     plotter.reset_camera_clipping_range()
 
 
-def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict) -> None:
+def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, flat: str, scales: dict[str, tuple[str, float]]) -> None:
     refuse_volume(options)
     name = default_scalars(grid)[1] if scalars is None else scalars
     association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
     plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options, over_ground=False)})
-    flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
     plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
-    _add_scales(plotter, grid, flat)
+    _add_scales(plotter, grid, flat, scales)
     plotter.enable_parallel_projection()
     across, up = (np.ptp(grid.bounds[2 * axis:2 * axis + 2]) for axis in ["xyz".index(letter) for letter in "xyz" if letter != flat])
     aspect = plotter.window_size[0] / plotter.window_size[1]
@@ -72,24 +90,31 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
     plotter.reset_camera_clipping_range()
 
 
-def _add_scales(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, flat: str) -> None:
-    """Axes with true lengths at round values, in metres or kilometres, below and on the left."""
+def _lengths(grid: pyvista.DataSet) -> dict[str, tuple[str, float]]:
+    """The unit of each axis, metres or kilometres, and its length in the scene."""
     stretch = float(grid.field_data["VerticalExaggeration"][0]) if "VerticalExaggeration" in grid.field_data else 1.0
-    bounds, scale = np.reshape(grid.bounds, (3, 2)), np.array([1, 1, stretch])
-    spans = np.ptp(bounds, axis=1)
+    spans, scale = np.ptp(np.reshape(grid.bounds, (3, 2)), axis=1), np.array([1, 1, stretch])
     unit, size = ("km", 1000.0) if (spans / scale).max() > 1e4 else ("m", 1.0)
+    return {letter: (f"{letter} [{unit}]", size * factor) for letter, factor in zip("xyz", scale)}
+
+
+def _add_scales(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, flat: str, scales: dict[str, tuple[str, float]]) -> None:
+    """Axes with round values, below and on the left. `scales`: the title of each axis, and the length of its unit in the scene."""
+    bounds = np.reshape(grid.bounds, (3, 2))
+    spans = np.ptp(bounds, axis=1)
     letters = [letter for letter in "xyz" if letter != flat]
     for letter, other, where in ((*letters, ("center", "top")), (*letters[::-1], ("right", "center"))):
         i, j, gap = "xyz".index(letter), "xyz".index(other), 0.015 * spans.max()
-        values = ticks(*bounds[i] / (scale[i] * size))
+        axis_title, size = scales[letter]
+        values = ticks(*bounds[i] / size)
         feet = np.repeat(bounds[None, :, 0], len(values) + 1, axis=0)
-        feet[:-1, i], feet[-1, i] = values * size * scale[i], bounds[i, 1] if letter == letters[1] else bounds[i].mean()
+        feet[:-1, i], feet[-1, i] = values * size, bounds[i, 1] if letter == letters[1] else bounds[i].mean()
         ends = feet.copy()
         ends[:, j] -= gap
         lines = [*zip(feet[:-1], ends[:-1]), (bounds[:, 0], [bounds[k, 1 if k == i else 0] for k in range(3)])]
         plotter.add_mesh(pyvista.line_segments_from_points(np.reshape(lines, (-1, 3))), color=plotter.theme.font.color, lighting=False, name=f"scale_{letter}", reset_camera=False)
         ends[-1] += (0.05 * spans.max()) * np.eye(3)[i] if letter == letters[1] else (-4 * gap) * np.eye(3)[j]
-        plotter.add_point_labels(ends, [*(f"{value:g}" for value in values), f"{letter} [{unit}]"], show_points=False, shape=None, font_size=13, always_visible=True, margin=0,
+        plotter.add_point_labels(ends, [*(f"{value:g}" for value in values), axis_title], show_points=False, shape=None, font_size=13, always_visible=True, margin=0,
                                  text_color=plotter.theme.font.color, bold=False, justification_horizontal=where[0], justification_vertical=where[1], name=f"labels_{letter}", reset_camera=False)
 
 

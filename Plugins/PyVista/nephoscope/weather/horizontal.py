@@ -156,7 +156,8 @@ def _unknown(dataset, variable, dims, projection, missing: str) -> str:
 
 def section(kind: str, name: str, value: str = "") -> str:
     """The message for data of one `kind`, "longitude" or "latitude", of the coordinate `name`."""
-    return f"The data are a section at one {kind}{value}, which has no area to draw from outside. Keep at least two {kind}s, for example ds.sel({name}=slice(FIRST, LAST))."
+    return (f"The data are a section at one {kind}{value}, which has no area to draw from outside. Keep at least two {kind}s, for example ds.sel({name}=slice(FIRST, LAST)). "
+            "A picture of one time by height: dataset.nephoscope.plot().")
 
 
 def _fixed(dataset, dim) -> tuple[str, str, str] | None:
