@@ -53,7 +53,7 @@ class Sections(unittest.TestCase):
         plotter, sheet = self.drawn(dataset().sel(lon=0))
         across, up = np.ptp(sheet.bounds[:2]), np.ptp(sheet.bounds[4:])
         self.assertGreater(across * up / (2 * plotter.camera.parallel_scale) ** 2, 1 / 3)
-        for letter, expected in (("x", ["-60", "-40", "-20", "0", "20", "40", "60", "°N"]), ("z", ["0", "5", "10", "km"])):
+        for letter, expected in (("x", ["-60", "-40", "-20", "0", "20", "40", "60", "°N"]), ("z", ["0", "2", "4", "6", "8", "10", "12", "14", "km"])):
             source = plotter.renderer.actors[f"labels_{letter}-labels"].GetMapper().GetInputAlgorithm()
             source.Update()
             labels = source.GetInputDataObject(0, 0).GetPointData().GetAbstractArray("labels")

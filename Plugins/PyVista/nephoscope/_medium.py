@@ -21,6 +21,7 @@ from ._exports import warn_when_exported
 from ._fields import find_preset, is_bright, is_helper, presets
 from ._from_xarray import meshed
 from ._frames import warn_of_other_frames
+from ._outliers import warn_of_fill_values
 from ._over_time import densest, values_over_time
 from ._pipeline import level_of_caller, warn_when_drawing
 from ._settings import MediumMapper
@@ -299,6 +300,8 @@ class Functions:
         if clim is not None and table is not self.cmap and table.log_scale and _limits(clim)[0] <= 0:
             warnings.warn(f"clim begins at {_limits(clim)[0]:g}, but a logarithmic scale at a positive number: {table.scalar_range[0]:g} is taken, the smallest positive value of {name!r}.",
                           UserWarning, stacklevel=level_of_caller())
+        if clim is None and table is not self.cmap:
+            warn_of_fill_values(values_over_time(grid, name, association, self.component), name, grid, "clim")
         opacities = self._opacities(table)
         opacity_range = self._opacity_range(grid, preference)
         mapper.SetInputData(grid)
@@ -362,7 +365,10 @@ class Functions:
                 raise ValueError("opacity_clim is given without opacity_scalars; the range of scalars is clim.")
             return None
         association = association_of(grid, name, preference, "opacity_scalars")
-        return _scalar_range(values_over_time(grid, name, association), name, self.opacity_clim, False)
+        values = values_over_time(grid, name, association)
+        if self.opacity_clim is None:
+            warn_of_fill_values(values, name, grid, "opacity_clim")
+        return _scalar_range(values, name, self.opacity_clim, False)
 
 
 def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cmap: Any, clim: float | Numbers | None, *,

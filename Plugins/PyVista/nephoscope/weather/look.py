@@ -9,6 +9,7 @@ from typing import Any
 import pyvista
 
 from .._fields import PRESET_ENDING, find_preset, is_bright, preset_of_field, presets
+from .._outliers import warn_of_fill_values
 from .._over_time import values_over_time
 from .roles import ROLES, candidates
 from .units import knows, plain
@@ -54,6 +55,8 @@ def suited(dataset, name: str) -> str | None:
 
 def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str, options: dict[str, Any], over_ground: bool = True) -> dict[str, Any]:
     """Colours, range and opacity of the preset of the array for `add_mesh`, unless the `options` have others."""
+    if options.get("clim") is None:
+        warn_of_fill_values(values_over_time(grid, name, association), name, grid, "clim")
     preset = find_preset(options.pop("preset", None), name, grid) if not options.get("log_scale") else None
     if isinstance(options.get("cmap"), str) and options["cmap"] in presets():
         preset = presets()[options.pop("cmap")]
