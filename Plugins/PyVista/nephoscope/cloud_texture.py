@@ -103,7 +103,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         The surface, for example from `cloud_surface`. Blocks are combined; for other data the outer surface is drawn. With the coordinates of
         `advect_texture` the texture moves with the wind; without them it is fixed to positions.
     scalars : str or numpy.ndarray, optional
-        Point or cell array that colours the clouds; vectors give their magnitude, or the `component` given in **options. Default: none, the clouds have one colour.
+        Point or cell array that colours the clouds; vectors give their magnitude, or one component if `component` is among the options. Default: none, the clouds have one colour.
     color : ColorLike, optional
         The colour without `scalars`. Default: white; on a bright background the middle grey of the preset ``'clouds'`` of `add_cells`, unless
         the plotter has another surface, such as the ground.

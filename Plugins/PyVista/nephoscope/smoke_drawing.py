@@ -30,7 +30,7 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
         The result of `flow_volume` or `smoke_puffs`.
     scalars : str, optional
         Point or cell array that colours the smoke, for example ``"Age"``. Default: none; the smoke has one colour, and its cells need no
-        sorting. Vectors give their magnitude, or the `component` given in **options.
+        sorting. Vectors give their magnitude, or one component if `component` is among the options.
     color : ColorLike, optional
         The colour without `scalars`. Default: white, or dark grey on a light background.
     density : str, optional
