@@ -8,8 +8,9 @@ import re
 import sys
 import warnings
 from contextlib import contextmanager
-from typing import Iterator, Mapping
+from typing import Any, Iterator, Mapping
 
+import pyvista
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet
@@ -95,8 +96,8 @@ def warn_when_drawing(mapper: vtkAlgorithm) -> None:
     name = mapper.GetClassName()
 
     @calldata_type(VTK_STRING)
-    def on_message(_caller: object, _event: str, message: str) -> None:
-        if "there is nothing to draw" in message and follows(mapper.dataset):
+    def on_message(caller: Any, _event: str, message: str) -> None:  # without a reference to the mapper: Python would collect both while VTK still uses them
+        if "there is nothing to draw" in message and follows(pyvista.wrap(caller.GetInputDataObject(0, 0))):
             return
         warnings.warn(f"{name}: {_renamed(_text(message), _NAMES_OF_MAPPERS)}", RuntimeWarning, stacklevel=level_of_caller(*_drawing_folders()))
 
