@@ -7,9 +7,9 @@ import numpy as np
 from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "TexturedSplatsRun.py"
-ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "stray", "turned", "globe", "numbered", "numbered-image",
+ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "hexahedra", "own-hexahedra", "own-tetrahedra", "stray", "turned", "globe", "numbered", "numbered-image",
                "slice", "flat", "flat-cells", "tilted", "tilted-cells", "trees", "cells-of-trees", "no-vectors")
-NAMES = ONE_PICTURE + ("hierarchy",)
+NAMES = ONE_PICTURE + ("hierarchy", "grid")
 
 
 def check_hierarchy(one, others, number):
@@ -25,6 +25,8 @@ if abs(one["stray"].mean() / one["particles"].mean() - 1) > 0.3:
     sys.exit(f"a few particles far away change the picture of the others: mean {one['stray'].mean():.1f} for {one['particles'].mean():.1f}")
 if np.abs(one["no-vectors"] - one["again"]).max() > 1:
     sys.exit("where the vector array is wrong, the scalars are not drawn alone")
+if max(np.abs(one[name] - one["grid"]).max() for name in ("hexahedra", "own-hexahedra")) > 1:
+    sys.exit("splats of unstructured hexahedra differ from those of the same structured grid")
 # Each rank's picture has 8 bits when they are composited, and results are rounded again.
 three = run_ranks(SCRIPT, NAMES, 3)
 compare(one, three, "1 and 3 ranks", ONE_PICTURE, largest=3, mean=0.2)

@@ -15,9 +15,18 @@ rotated.Transform.Rotate = [10, 20, 30]
 draw("structured", rotated)
 # Ranks are ordered by where the display places their data.
 draw("turned", wavelet, place={"Position": [5, 0, 0], "Orientation": [0, 20, 30], "Scale": [1.5, 1.5, 1.5]})
-tetrahedra = pvs.Tetrahedralize(Input=rotated)
+# Of hexahedra, which are divided by the order of their points: those of a grid are divided by turns from the first of each rank on.
+tetrahedra = pvs.Tetrahedralize(Input=pvs.AppendDatasets(Input=rotated))
 draw("tetrahedra", tetrahedra)
 draw("particles", particles_of(tetrahedra))
+# Long, thin and bent cells around an axis, whose seam is between ranks; ranks have the cells of their neighbours, or only their own.
+bent = pvs.Calculator(Input=pvs.Transform(Input=wavelet), CoordinateResults=1, Function="(9+coordsX/4)*(cos(coordsY*acos(-1)/10)*iHat+sin(coordsY*acos(-1)/10)*jHat)+coordsZ*kHat")
+mesh = pvs.AppendDatasets(Input=bent)
+draw("hexahedra", mesh)
+OWN = "output.ShallowCopy(self.GetInputDataObject(0, 0)); output.VTKObject.RemoveGhostCells()"
+draw("own-hexahedra", pvs.ProgrammableFilter(Input=mesh, Script=OWN))
+draw("own-tetrahedra", pvs.ProgrammableFilter(Input=pvs.Tetrahedralize(Input=mesh), Script=OWN))
+draw("grid", bent)
 # The eight corners are a thousand times as far away: lengths that follow the data must not.
 stray = pvs.Calculator(Input=pvs.Tetrahedralize(Input=wavelet), CoordinateResults=1, Function="if(mag(coords)>17.3, 1000*coords, coords)")
 draw("stray", particles_of(stray))

@@ -101,7 +101,7 @@ EXCEPTIONS = {
     ("PyVista", "vtkHaze", "Extinction"): "the same as the visibility, by another measure",
     ("ParaView", "vtkHaze", "Haze"): "no property: puts haze into a renderer",
     ("PyVista", "vtkSmokePuffs", "TimeScale"): "the time is in seconds: there is no animation whose unit could be another",
-    ("ParaView", "vtkTexturedSplatMapper", "CellSizeFromCells"): "cells always have splats of their own size, points of one: ranks divide cells differently",
+    ("ParaView", "vtkTexturedSplatMapper", "CellSizeFromCells"): "splats always have the shape of their cells, unless a cell size is set",
     ("ParaView", "vtkTexturedSplatMapper", "CellSizeFromNeighbors"): "neighbours on other ranks are not known",
     **{("ParaView", "vtkTexturedSplatMapper", name): BY_REPRESENTATION for name in ("CommonFrame", "Region", "ShapeArrayName")},
     **{("PyVista", "vtkTexturedSplatMapper", name): "for several ranks, of which there is one" for name in ("CommonFrame", "Region", "ShapeArrayName")},

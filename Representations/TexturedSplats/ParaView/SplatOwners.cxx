@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nephoscope
 {
@@ -43,8 +44,11 @@ std::vector<vtkBoundingBox> boundsOfRanks(
   return boxes;
 }
 
-// Sorted places of lower ranks that may be ours too.
-std::vector<Vector3> placesOfLowerRanks(
+// A rounded place and the rank that has it.
+using PlaceOnRank = std::pair<Vector3, int>;
+
+// Sorted places of other ranks that may be ours too.
+std::vector<PlaceOnRank> placesOfOtherRanks(
   vtkMultiProcessController* controller, const std::vector<Vector3>& shared)
 {
   const auto ranks = static_cast<std::size_t>(controller->GetNumberOfProcesses());
@@ -62,15 +66,20 @@ std::vector<Vector3> placesOfLowerRanks(
     mine.insert(mine.end(), place.begin(), place.end());
   }
   controller->AllGatherV(mine.data(), all.data(), length, lengths.data(), offsets.data());
-  std::vector<Vector3> lower;
-  const auto end =
-    static_cast<std::size_t>(offsets[static_cast<std::size_t>(controller->GetLocalProcessId())]);
-  for (std::size_t i = 0; i < end; i += 3)
+  std::vector<PlaceOnRank> others;
+  for (int rank = 0; rank < static_cast<int>(ranks); ++rank)
   {
-    lower.push_back({ { all[i], all[i + 1], all[i + 2] } });
+    const auto at = static_cast<std::size_t>(rank);
+    for (auto i = static_cast<std::size_t>(offsets[at]);
+         rank != controller->GetLocalProcessId() && i < static_cast<std::size_t>(offsets[at + 1]);
+         i += 3)
+    {
+      others.push_back({ { { all[i], all[i + 1], all[i + 2] } }, rank });
+    }
   }
-  std::sort(lower.begin(), lower.end());
-  return lower;
+  std::sort(others.begin(), others.end());
+  others.erase(std::unique(others.begin(), others.end()), others.end());
+  return others;
 }
 
 // Places rounded, such that ranks that computed one of them in different ways have the same.
@@ -171,13 +180,13 @@ void leaveOutNeighbors(vtkDataSet* piece, int extent[6])
 }
 } // namespace
 
-std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
+std::vector<SharedPlace> placesOfSeveralRanks(const std::vector<Vector3>& places)
 {
-  std::vector<bool> owned(places.size(), true);
+  std::vector<SharedPlace> found;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (!controller || controller->GetNumberOfProcesses() < 2)
   {
-    return owned;
+    return found;
   }
   std::vector<vtkBoundingBox> boxes = boundsOfRanks(controller, places);
   const RoundedPlaces rounded(boxes);
@@ -200,10 +209,25 @@ std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
       }
     }
   }
-  const std::vector<Vector3> lower = placesOfLowerRanks(controller, shared);
+  const std::vector<PlaceOnRank> others = placesOfOtherRanks(controller, shared);
   for (std::size_t i = 0; i < shared.size(); ++i)
   {
-    owned[indices[i]] = !std::binary_search(lower.begin(), lower.end(), shared[i]);
+    auto other = std::lower_bound(others.begin(), others.end(), PlaceOnRank{ shared[i], 0 });
+    for (; other != others.end() && other->first == shared[i]; ++other)
+    {
+      found.push_back({ indices[i], other->second });
+    }
+  }
+  return found;
+}
+
+std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
+{
+  std::vector<bool> owned(places.size(), true);
+  for (const SharedPlace& shared : placesOfSeveralRanks(places))
+  {
+    const int mine = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
+    owned[shared.Index] = owned[shared.Index] && mine < shared.Rank;
   }
   return owned;
 }

@@ -4,6 +4,7 @@
 
 #include "DataBlocks.h"
 #include "RankMeasures.h"
+#include "SplatBorders.h"
 #include "SplatGridSeam.h"
 #include "SplatOwners.h"
 #include "SplatSamples.h"
@@ -26,6 +27,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <vector>
 
 namespace nephoscope
@@ -238,19 +240,50 @@ vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling
   vtkNew<vtkPolyData> nothing; // a rank without data takes part all the same
   const vtkSmartPointer<vtkDataSet> flagged = withPointFlagsOfCells(piece ? piece : nothing.Get());
   vtkDataSet* data = flagged;
-  const SplatShapes own(data, sampling);
+  const vtkSmartPointer<vtkDataSet> mesh = sampling.OnCells ? nullptr : withCellsOfOtherRanks(data);
+  SplatSampling ofAll = sampling;
+  ofAll.Mesh = mesh;
+  const SplatShapes own(data, ofAll);
   std::vector<SplatGridSeam> seams;
   vtkSmartPointer<vtkIdList> ids = ownIds(data, own, sampling.OnCells, seams);
   const double spacing = meanSpacingOverRanks(own, ids); // of all ranks, not of this one
-  SplatSampling ofAll = sampling;
-  ofAll.CellSize = own.HaveMeanSpacing() ? spacing : sampling.CellSize;
-  const SplatShapes shapes(data, ofAll);
+  ofAll.CellSize = spacing;
+  const SplatShapes shapes = own.HaveMeanSpacing() ? SplatShapes(data, ofAll) : own;
   vtkSmartPointer<vtkDataSet> vertices = verticesOf(shapes, ids,
     data->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT));
   vertices->GetCellData()->AddArray(shapesOf(shapes, ids, seams));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
   padFlatBounds(vtkUnstructuredGrid::SafeDownCast(vertices), shapes, ids);
   return vertices;
+}
+
+vtkSmartPointer<vtkDataSet> withShapesOfCells(vtkDataSet* piece, const SplatSampling& sampling)
+{
+  if (!piece)
+  {
+    return nullptr;
+  }
+  const SplatShapes shapes(piece, sampling);
+  if (!shapes.AreOfCells())
+  {
+    return piece;
+  }
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(shapes.GetNumberOfIds());
+  std::iota(ids->begin(), ids->end(), 0);
+  const vtkSmartPointer<vtkDataArray> array = shapesOf(shapes, ids, {});
+  for (const vtkIdType id : *ids)
+  {
+    if (!shapes.IsVisible(id))
+    {
+      array->SetComponent(id, 9, 0.0);
+    }
+  }
+  auto copy = vtk::TakeSmartPointer(piece->NewInstance());
+  copy->ShallowCopy(piece);
+  copy->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT)
+    ->AddArray(array);
+  return copy;
 }
 
 void moveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix)

@@ -28,6 +28,12 @@ extern const char* const splatShapeName;
  */
 vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling& sampling);
 
+/**
+ * `piece` with the shapes of its samples as an array, where they follow from the cells around them: they are found once, not by all that draws or measures the
+ * samples. On one rank; may be null.
+ */
+vtkSmartPointer<vtkDataSet> withShapesOfCells(vtkDataSet* piece, const SplatSampling& sampling);
+
 /** Moves the shapes of such vertices as the linear part of a matrix does. */
 void moveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix);
 

@@ -65,21 +65,18 @@ nephoscope::SplatSampling vtkTexturedSplatsRepresentation::GetSampling(bool onCe
   nephoscope::SplatSampling sampling{ onCells, this->CellSize };
   sampling.SizeArrayName = this->Mapper->GetCellSizeArrayName();
   sampling.SizesAreVolumes = this->Mapper->GetCellSizeArrayHoldsVolumes();
-  sampling.FromCells = onCells;
+  sampling.FromCells = true; // which is the mapper's default
   return sampling;
 }
 
 void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
 {
   const bool onCells = this->DrawsCells();
-  // Each cell has its own size, as those of adaptive meshes do. Points do not: ranks may cut cells into tetrahedra in several ways.
-  this->Mapper->SetCellSizeFromCells(onCells);
   this->Piece = nephoscope::sampledPart(input);
   const bool inOwnCells = onCells && vtkUnstructuredGrid::SafeDownCast(this->Piece);
-  if (GetNumberOfRanks() > 1)
-  {
-    this->Piece = nephoscope::splatVertices(this->Piece, this->GetSampling(onCells));
-  }
+  this->Piece = GetNumberOfRanks() > 1
+    ? nephoscope::splatVertices(this->Piece, this->GetSampling(onCells))
+    : nephoscope::withShapesOfCells(this->Piece, this->GetSampling(onCells));
   const bool inCells =
     this->GetAssociationInPiece(onCells ? vtkDataObject::CELL : vtkDataObject::POINT) ==
     vtkDataObject::CELL;

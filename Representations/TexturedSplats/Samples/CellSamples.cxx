@@ -46,6 +46,11 @@ SplatMatrix blurred(const CellShares& shares, std::size_t i, SplatMatrix square)
 // One-sided points take the shape of the others of their cells.
 void shareShapes(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>& places)
 {
+  const auto isOneSided = [](const CellShare& share) { return share.IsOneSided(); };
+  if (std::none_of(shares.begin(), shares.end(), isOneSided))
+  {
+    return;
+  }
   std::map<vtkIdType, std::pair<SplatMatrix, int>> shapes; // sums
   vtkNew<vtkIdList> points;
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
@@ -91,19 +96,20 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
   {
     share.Angle = onCells && share.Dimension > 0 ? 1 : share.Angle; // nothing around it counts
   }
-  this->FillIn(found, onCells);
+  this->FillIn(data, found, onCells);
   if (!this->Shapes.empty())
   {
-    WidenNeedles(data, onCells, places, hidden, { this->Shapes, this->Parts });
+    WidenNeedles(data, onCells, places, hidden, { this->Shapes, this->Parts, this->OfGrid });
     this->Blur(found);
   }
 }
 
-void CellSamples::FillIn(const CellShares& found, bool onCells)
+void CellSamples::FillIn(vtkDataSet* data, const CellShares& found, bool onCells)
 {
   const Shares& shares = found.Shares;
   this->Shapes.clear();
   this->Parts.clear();
+  this->OfGrid.clear();
   const auto hasExtent = [](const CellShare& share) {
     return share.EdgeLength() > 0 && std::isfinite(share.EdgeLength());
   };
@@ -122,9 +128,46 @@ void CellSamples::FillIn(const CellShares& found, bool onCells)
       this->Parts[i] = isNothing ? 0.0f : 1.0f;
       continue;
     }
-    this->Parts[i] = static_cast<float>((onCells ? 1.0 : share.Around()) * share.Fill());
-    this->SetShape(i, share.Jacobian());
+    if (this->FillInAxes(data, found, i))
+    {
+      this->OfGrid.resize(shares.size(), false);
+      this->OfGrid[i] = true;
+    }
+    else
+    {
+      this->Parts[i] = static_cast<float>((onCells ? 1.0 : share.Around()) * share.Fill());
+      this->SetShape(i, share.Jacobian());
+    }
   }
+}
+
+// A point whose hexahedra are as in a grid has the shape that it has there.
+bool CellSamples::FillInAxes(vtkDataSet* data, const CellShares& found, std::size_t i)
+{
+  constexpr double likest = 0.5; // the volumes of the axes and of the share
+  const auto placeOf = [&](int point) {
+    Vector3 x;
+    data->GetPoint(point, x.data());
+    return x;
+  };
+  SplatMatrix axes{};
+  if (found.Rings.empty() || !found.Rings[i].FindAxes(placeOf(static_cast<int>(i)), placeOf, axes))
+  {
+    return false;
+  }
+  const CellShare& share = found.Shares[i];
+  const double spanned = std::abs(Determinant(axes)), size = std::pow(share.EdgeLength(), 3);
+  if (!(size > likest * spanned && spanned > likest * size))
+  {
+    return false;
+  }
+  // A first number that is 0 is none.
+  std::iter_swap(axes.begin(),
+    std::max_element(axes.begin(), axes.end(),
+      [](const Vector3& a, const Vector3& b) { return std::abs(a[0]) < std::abs(b[0]); }));
+  this->Parts[i] = static_cast<float>(share.Around() * size / spanned);
+  this->SetShape(i, axes);
+  return true;
 }
 
 void CellSamples::SetShape(std::size_t i, const SplatMatrix& jacobian)

@@ -51,12 +51,14 @@ public:
   }
 
 private:
-  void FillIn(const CellShares& found, bool onCells);
+  void FillIn(vtkDataSet* data, const CellShares& found, bool onCells);
+  bool FillInAxes(vtkDataSet* data, const CellShares& found, std::size_t i);
   void SetShape(std::size_t i, const SplatMatrix& jacobian);
   void Blur(const CellShares& found);
 
   std::vector<std::array<float, 9>> Shapes; // empty if the data have no cells
   std::vector<float> Parts;                 // of their volumes; empty if the data have no cells
+  std::vector<bool> OfGrid;                 // points with the axes of a grid; empty: none
   std::vector<vtkIdType> Places; // of each point the first one in its place; empty: all are apart
 };
 

@@ -181,6 +181,7 @@ private:
     {
       x[i] = this->Place(points[i]);
     }
+    this->AddRings(kind, points);
     const double before = this->Whole.GetSize();
     for (int t = 0; t < kind.NumberOfTetrahedra; ++t)
     {
@@ -221,6 +222,26 @@ private:
       share.Size = volume * (weights ? weights[i] : share.MeanAngle / all);
       AddWeighted(share.Edges, edges[i], share.MeanAngle);
       this->Give(points[i], share);
+    }
+  }
+
+  void AddRings(const CellKind& kind, const vtkIdType* points)
+  {
+    for (int i = 0; i < kind.Corners && !this->Found.Rings.empty(); ++i)
+    {
+      const auto place = [&](int corner) {
+        return static_cast<int>(PlaceOfPoint(this->Places, points[corner]));
+      };
+      CornerRing& ring = this->Found.Rings[static_cast<std::size_t>(place(i))];
+      if (kind.Corners == 8)
+      {
+        const int* next = kind.Neighbors[i];
+        ring.Add({ place(next[0]), place(next[1]), place(next[2]) });
+      }
+      else
+      {
+        ring.Break();
+      }
     }
   }
 
@@ -407,6 +428,17 @@ private:
   vtkNew<vtkPoints> Coordinates;
   vtkNew<vtkGenericCell> Cell;
 };
+
+bool hasHexahedra(vtkDataSet* data)
+{
+  bool found = false;
+  for (vtkIdType id = 0; id < data->GetNumberOfCells() && !found; ++id)
+  {
+    const int type = data->GetCellType(id);
+    found = type == VTK_HEXAHEDRON || type == VTK_VOXEL;
+  }
+  return found;
+}
 } // namespace
 
 CellShares FindCellShares(vtkDataSet* data, bool onCells, const std::vector<vtkIdType>& places,
@@ -415,6 +447,10 @@ CellShares FindCellShares(vtkDataSet* data, bool onCells, const std::vector<vtkI
   const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   CellShares found;
   found.Shares.resize(static_cast<std::size_t>(count));
+  if (!onCells && count < VTK_INT_MAX && hasHexahedra(data))
+  {
+    found.Rings.resize(found.Shares.size());
+  }
   ShareFinder finder(data, found, places, onCells);
   for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
   {

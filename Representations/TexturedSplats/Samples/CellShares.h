@@ -5,6 +5,7 @@
 #define CellShares_h
 
 #include "CellShape.h"
+#include "CornerRing.h"
 
 #include "vtkType.h"
 
@@ -24,6 +25,8 @@ struct CellShares
     Covariances; ///< of cells of three dimensions: xx, xy, xz, yy, yz, zz
   /** Numbers of TaperNeed (CellTaper.h), in sum; empty: nothing is needed. */
   std::vector<std::array<float, 7>> Tapers;
+  std::vector<CornerRing>
+    Rings; ///< of points, by their places; empty where no cell is a hexahedron
 };
 
 /** `places`: for each point the first one in its place, which gets all, or empty. `hidden`: flags of cells that do not count, or empty. */

@@ -145,7 +145,7 @@ public:
     this->Numbers.assign(splats.Shapes.size(), none);
     for (std::size_t i = 0; i < splats.Shapes.size(); ++i)
     {
-      if (mayBeNeedle(splats.Shapes[i]))
+      if ((splats.Kept.empty() || !splats.Kept[i]) && mayBeNeedle(splats.Shapes[i]))
       {
         this->Numbers[i] = static_cast<int>(this->Needles.size());
         this->Needles.emplace_back(splats.Shapes[i]);

@@ -22,6 +22,7 @@ struct CellSplats
 {
   std::vector<std::array<float, 9>>& Shapes;
   std::vector<float>& Parts;
+  const std::vector<bool>& Kept; ///< those that are not widened; empty: none
 };
 
 /**

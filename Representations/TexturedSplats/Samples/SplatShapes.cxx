@@ -13,6 +13,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkFloatArray.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -85,6 +86,8 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
     const bool fits = (components == jacobianSize || components == jacobianSize + 1) &&
       this->ShapeArray->GetNumberOfTuples() == this->Count;
     this->ShapeArray = fits ? this->ShapeArray : nullptr;
+    auto* floats = vtkFloatArray::FastDownCast(this->ShapeArray);
+    this->ShapeNumbers = floats ? floats->GetPointer(0) : nullptr;
   }
   if (this->Grid.IsGrid() && !this->OnCells && !this->ShapeArray)
   {
@@ -101,7 +104,7 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   }
   if (sampling.FromCells && !(this->CellSize > 0))
   {
-    this->Cells.Find(data, this->OnCells);
+    this->Cells.Find(sampling.Mesh ? sampling.Mesh : data, this->OnCells);
   }
   this->Spaced = !(this->CellSize > 0) && this->Cells.IsEmpty();
   if (!this->OnCells && this->Cells.IsEmpty() && vtkPolyData::SafeDownCast(data))
@@ -183,7 +186,9 @@ bool SplatShapes::IsShown(vtkIdType id) const
 {
   const bool repeated = this->Grid.IsRepeated(id) || this->Cells.IsRepeated(id) ||
     (!this->Repeated.empty() && this->Repeated[static_cast<std::size_t>(id)]);
-  return !repeated && !this->Cells.IsNothing(id) &&
+  const bool nothing =
+    this->Cells.IsNothing(id) || (this->ShapeArray && this->ShareInShown(id) == 0.0);
+  return !repeated && !nothing &&
     (this->Hidden.empty() || !this->Hidden[static_cast<std::size_t>(id)]);
 }
 
@@ -200,6 +205,13 @@ Vector3 PlaceOf(vtkDataSet* data, const GridSamples& grid, bool onCells, vtkIdTy
   Vector3 place;
   data->GetPoint(id, place.data());
   return place;
+}
+
+double SplatShapes::NumberOfShape(vtkIdType id, int number) const
+{
+  return this->ShapeNumbers
+    ? this->ShapeNumbers[id * this->ShapeArray->GetNumberOfComponents() + number]
+    : this->ShapeArray->GetComponent(id, number);
 }
 
 // Without an array of shapes, and not lengthened.
@@ -230,7 +242,7 @@ SplatMatrix SplatShapes::Jacobian(vtkIdType id) const
     for (int i = 0; i < jacobianSize; ++i)
     {
       jacobian[static_cast<std::size_t>(i) / 3][static_cast<std::size_t>(i) % 3] =
-        this->ShapeArray->GetComponent(id, i);
+        this->NumberOfShape(id, i);
     }
   }
   else if (this->Scale)
@@ -258,7 +270,7 @@ double SplatShapes::ShareInShown(vtkIdType id) const
   if (this->ShapeArray)
   {
     return this->ShapeArray->GetNumberOfComponents() > jacobianSize
-      ? this->ShapeArray->GetComponent(id, jacobianSize)
+      ? this->NumberOfShape(id, jacobianSize)
       : 1.0;
   }
   return this->Grid.IsGrid() ? this->Grid.ShareInShown(id) * this->Grid.ShareInShape(id)

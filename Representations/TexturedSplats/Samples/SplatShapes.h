@@ -38,7 +38,9 @@ struct SplatSampling
   SplatFrame Frame = {};
   std::string SizeArrayName = {}; ///< of one component: every sample's edge, or volume; empty: none
   bool SizesAreVolumes = false;
-  bool FromCells = false;     ///< shapes of the cells around, where no cell size is asked for
+  bool FromCells = false; ///< shapes of the cells around, where no cell size is asked for
+  vtkDataSet* Mesh =
+    nullptr; ///< whose first points are the samples, and which has all cells around them; null: the data
   bool FromNeighbors = false; ///< instead of the mean spacing: that of a point's neighbours
 };
 
@@ -84,6 +86,8 @@ public:
   }
   /** Samples without shapes of their own, grid, voxels or cell size. */
   bool HaveMeanSpacing() const { return this->Spaced; }
+  /** Shapes follow from the cells around the samples. */
+  bool AreOfCells() const { return !this->Cells.IsEmpty(); }
   bool AreOfGrid() const { return this->Grid.IsGrid(); }
   const GridSamples& GetGrid() const { return this->Grid; }
   /** Samples that are voxels of a sparse volume: edges of the voxels, and the place of the one whose indices are 0. */
@@ -98,12 +102,14 @@ private:
   bool IsSized(vtkIdType id) const;
   bool IsShown(vtkIdType id) const;
   SplatMatrix OwnJacobian(vtkIdType id) const;
+  double NumberOfShape(vtkIdType id, int number) const;
   bool FindVoxels();
 
   vtkDataSet* Data;
   bool OnCells;
   GridSamples Grid;
   vtkDataArray* ShapeArray = nullptr;
+  const float* ShapeNumbers = nullptr; // of an array of floats: they are read quickly
   vtkDataArray* SizeArray = nullptr;
   bool SizesAreVolumes;
   CellSamples Cells;

@@ -27,6 +27,35 @@ def graded(points):
     return points**np.array([1.6, 1, 1]) + 0.04 * np.sin(6 * points[:, [1, 2, 0]]) * points * (1 - points)
 
 
+def around(p):
+    """Once around the axis z through the middle, in cells thirty times as long as wide."""
+    radius, angle = 0.35 + 0.1 * p[:, 0], 2 * np.pi * p[:, 1]
+    return np.stack([0.5 + radius * np.cos(angle), 0.5 + radius * np.sin(angle), p[:, 2]], axis=1)
+
+
+def twisted(p):
+    angle, q = 1.5 * p[:, 2], p[:, :2] - 0.5
+    return np.stack([0.5 + q[:, 0] * np.cos(angle) - q[:, 1] * np.sin(angle), 0.5 + q[:, 0] * np.sin(angle) + q[:, 1] * np.cos(angle), p[:, 2]], axis=1)
+
+
+BENT = {
+    **{f"long along {'xyz'[axis]}": lambda p, axis=axis: 0.5 + (p - 0.5) * np.where(np.arange(3) == axis, 1, 0.1) for axis in range(3)},
+    "sheared": lambda p: p @ np.array([[1, 0.6, 0.1], [0, 0.3, 0.2], [0.1, 0, 0.1]]),
+    "around an axis": around,
+    "twisted": twisted,
+}
+
+
+def permuted(mesh):
+    """The same hexahedra with their points and cells in another order, and each turned by a half around its third direction."""
+    rng = np.random.default_rng(3)
+    points = meshes.points_of(mesh)
+    order = rng.permutation(len(points))
+    number = np.argsort(order)
+    cells = [[number[mesh.GetCell(c).GetPointId(k)] for k in (2, 3, 0, 1, 6, 7, 4, 5)] for c in rng.permutation(mesh.GetNumberOfCells())]
+    return meshes.grid(points[order], [(VTK_HEXAHEDRON, ids) for ids in cells])
+
+
 def structured_copy(image):
     grid = vtkStructuredGrid()
     grid.SetDimensions(image.GetDimensions())
@@ -83,6 +112,33 @@ class Cells(ImageTestCase):
                     expected = self.draw(grid, association=association)
                     self.assertGreater(expected[..., 3].max(), 0.2)
                     np.testing.assert_allclose(self.draw(mesh, association=association), expected, atol=2e-5)
+
+    def test_points_of_long_and_bent_hexahedra_are_the_structured_grid(self):
+        """Ten times as long as wide along each axis, sheared, around an axis with a seam, twisted; in any order of points, cells and corners."""
+        bounds = {"around an axis": 0.5 / 255, "twisted": 1.5 / 255}
+        blocks = (9, 7, 5)
+        for name, warp in BENT.items():
+            grid = meshes.with_field(meshes.structured(blocks, warp), wave)
+            expected = self.draw(grid)
+            self.assertGreater(expected[..., 3].max(), 0.1, name)
+            mesh = meshes.Lattice(blocks).mesh("hexahedron", warp)
+            for label, data in (("mesh", mesh), ("permuted", permuted(mesh))):
+                found = np.abs(self.draw(meshes.with_field(data, wave)) - expected)
+                print(f"  {name}, {label}: largest difference {found.max():.1e}, mean {found.mean():.1e}", flush=True)
+                self.assertLess(found.max(), bounds.get(name, 2e-5), name)
+
+    def test_points_of_long_tetrahedra_are_nearly_the_structured_grid(self):
+        """Splats are smooth: six tetrahedra in each cell give the picture of the grid to a few per cent of its light, balls do not."""
+        for axis in range(3):
+            warp = lambda p: 0.5 + (p - 0.5) * np.where(np.arange(3) == axis, 1, 0.1)  # noqa: E731
+            grid = meshes.with_field(meshes.structured((9, 7, 5), warp), wave)
+            mesh = meshes.with_field(meshes.Lattice((9, 7, 5)).mesh("tetra", warp), wave)
+            expected = self.draw(grid)
+            found, balls = (np.abs(self.draw(mesh, configure=c) - expected).sum() / expected.sum()
+                            for c in (None, lambda m: m.CellSizeFromCellsOff()))
+            print(f"  along {'xyz'[axis]}: difference {found:.3f}, of balls {balls:.3f}", flush=True)
+            self.assertLess(found, 0.08)
+            self.assertGreater(balls, 4 * found)
 
     def test_constant_data_on_cells_of_every_kind(self):
         rng = np.random.default_rng(2)

@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SplatBorders.h"
+
+#include "SplatOwners.h"
+
+#include "vtkCellType.h"
+#include "vtkCommunicator.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdList.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace nephoscope
+{
+namespace
+{
+using Flags = std::vector<unsigned char>;
+
+constexpr int cellTag = 26114;
+
+vtkMultiProcessController* allRanks()
+{
+  return vtkMultiProcessController::GetGlobalController();
+}
+
+bool isMeshOnAnyRank(vtkDataSet* piece)
+{
+  int extent[6];
+  const int mine = piece->GetNumberOfCells() > 0 && !extentOf(piece, extent) ? 1 : 0;
+  int any = 0;
+  allRanks()->AllReduce(&mine, &any, 1, vtkCommunicator::MAX_OP);
+  return any != 0;
+}
+
+// Its points or, for a polyhedron, its faces: what vtkUnstructuredGrid::InsertNextCell takes.
+void describeCell(vtkDataSet* data, vtkIdType cell, vtkIdList* ids)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  if (grid && data->GetCellType(cell) == VTK_POLYHEDRON)
+  {
+    grid->GetFaceStream(cell, ids);
+  }
+  else
+  {
+    data->GetCellPoints(cell, ids);
+  }
+}
+
+// Calls visit(id) for the points in the description of a cell, which may change them.
+template <typename Visit>
+void forEachPoint(int type, vtkIdType* ids, vtkIdType count, const Visit& visit)
+{
+  if (type != VTK_POLYHEDRON)
+  {
+    std::for_each(ids, ids + count, visit);
+    return;
+  }
+  for (vtkIdType at = 1; at < count; at += ids[at] + 1)
+  {
+    std::for_each(ids + at + 1, ids + at + 1 + ids[at], visit);
+  }
+}
+
+// Cells on their way to another rank: type, length and description of each, and the places of their points.
+struct Parcel
+{
+  std::vector<vtkIdType> Cells;
+  std::vector<double> Places;
+};
+
+void send(const Parcel& parcel, int rank)
+{
+  const vtkIdType sizes[2] = { static_cast<vtkIdType>(parcel.Cells.size()),
+    static_cast<vtkIdType>(parcel.Places.size()) };
+  allRanks()->Send(sizes, 2, rank, cellTag);
+  if (sizes[0] > 0)
+  {
+    allRanks()->Send(parcel.Cells.data(), sizes[0], rank, cellTag + 1);
+    allRanks()->Send(parcel.Places.data(), sizes[1], rank, cellTag + 2);
+  }
+}
+
+Parcel receive(int rank)
+{
+  vtkIdType sizes[2];
+  allRanks()->Receive(sizes, 2, rank, cellTag);
+  Parcel parcel;
+  parcel.Cells.resize(static_cast<std::size_t>(sizes[0]));
+  parcel.Places.resize(static_cast<std::size_t>(sizes[1]));
+  if (sizes[0] > 0)
+  {
+    allRanks()->Receive(parcel.Cells.data(), sizes[0], rank, cellTag + 1);
+    allRanks()->Receive(parcel.Places.data(), sizes[1], rank, cellTag + 2);
+  }
+  return parcel;
+}
+
+class BorderMesh
+{
+public:
+  explicit BorderMesh(vtkDataSet* piece)
+    : Piece(piece)
+    , Grid(vtkSmartPointer<vtkUnstructuredGrid>::New())
+  {
+    this->Points->SetDataTypeToDouble();
+    this->Points->SetNumberOfPoints(piece->GetNumberOfPoints());
+    for (vtkIdType id = 0; id < piece->GetNumberOfPoints(); ++id)
+    {
+      this->Points->SetPoint(id, piece->GetPoint(id));
+    }
+    this->Grid->Allocate(piece->GetNumberOfCells());
+    this->Grid->SetPoints(this->Points);
+    this->AddOwnCells();
+  }
+
+  // For each rank the cells near the points that it has too.
+  std::vector<Parcel> PackForRanks()
+  {
+    std::vector<vtkIdType> ids;
+    std::vector<Vector3> places;
+    for (vtkIdType id = 0; id < this->Piece->GetNumberOfPoints(); ++id)
+    {
+      const double* x = this->Points->GetPoint(id);
+      if (this->HasOwnCell[static_cast<std::size_t>(id)] && std::isfinite(x[0] + x[1] + x[2]))
+      {
+        ids.push_back(id);
+        places.push_back({ { x[0], x[1], x[2] } });
+      }
+    }
+    std::vector<Flags> near(static_cast<std::size_t>(allRanks()->GetNumberOfProcesses()));
+    for (const SharedPlace& shared : placesOfSeveralRanks(places))
+    {
+      Flags& flags = near[static_cast<std::size_t>(shared.Rank)];
+      flags.resize(this->HasOwnCell.size(), 0);
+      flags[static_cast<std::size_t>(ids[shared.Index])] = 1;
+    }
+    std::vector<Parcel> parcels;
+    for (Flags& flags : near)
+    {
+      parcels.push_back(flags.empty() ? Parcel() : this->Pack(flags));
+    }
+    return parcels;
+  }
+
+  void Add(Parcel& parcel)
+  {
+    const vtkIdType first = this->Points->GetNumberOfPoints();
+    for (std::size_t i = 0; i < parcel.Places.size(); i += 3)
+    {
+      this->Points->InsertNextPoint(&parcel.Places[i]);
+    }
+    for (std::size_t at = 0; at < parcel.Cells.size();)
+    {
+      const auto type = static_cast<int>(parcel.Cells[at]);
+      const vtkIdType count = parcel.Cells[at + 1];
+      vtkIdType* ids = &parcel.Cells[at + 2];
+      forEachPoint(type, ids, count, [&](vtkIdType& id) { id += first; });
+      this->Insert(type, ids, count);
+      at += 2 + static_cast<std::size_t>(count);
+    }
+  }
+
+  vtkSmartPointer<vtkDataSet> GetGrid() const { return this->Grid; }
+
+private:
+  // Shown, and not of a layer from other ranks.
+  bool IsOwn(vtkIdType cell) const
+  {
+    vtkUnsignedCharArray* ghosts = this->Piece->GetCellGhostArray();
+    constexpr int others = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL |
+      vtkDataSetAttributes::DUPLICATECELL;
+    return !ghosts || (ghosts->GetValue(cell) & others) == 0;
+  }
+
+  void AddOwnCells()
+  {
+    this->HasOwnCell.assign(static_cast<std::size_t>(this->Piece->GetNumberOfPoints()), 0);
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < this->Piece->GetNumberOfCells(); ++cell)
+    {
+      if (this->IsOwn(cell))
+      {
+        const int type = this->Piece->GetCellType(cell);
+        describeCell(this->Piece, cell, ids);
+        forEachPoint(type, ids->GetPointer(0), ids->GetNumberOfIds(),
+          [&](vtkIdType id) { this->HasOwnCell[static_cast<std::size_t>(id)] = 1; });
+        this->Insert(type, ids->GetPointer(0), ids->GetNumberOfIds());
+      }
+    }
+    this->NumberOfOwnCells = this->Grid->GetNumberOfCells();
+  }
+
+  void Insert(int type, vtkIdType* ids, vtkIdType count)
+  {
+    if (type == VTK_POLYHEDRON)
+    {
+      vtkNew<vtkIdList> faces;
+      faces->SetNumberOfIds(count);
+      std::copy_n(ids, count, faces->GetPointer(0));
+      this->Grid->InsertNextCell(type, faces);
+    }
+    else
+    {
+      this->Grid->InsertNextCell(type, count, ids);
+    }
+  }
+
+  // `near`: flags of points, to which those of their cells are added, layer by layer.
+  Parcel Pack(Flags& near) const
+  {
+    constexpr int layers = 3;
+    Flags taken(static_cast<std::size_t>(this->NumberOfOwnCells), 0);
+    vtkNew<vtkIdList> ids;
+    for (int layer = 0; layer < layers; ++layer)
+    {
+      Flags next = near;
+      for (vtkIdType cell = 0; cell < this->NumberOfOwnCells; ++cell)
+      {
+        this->Grid->GetCellPoints(cell, ids);
+        const bool touches = std::any_of(ids->begin(), ids->end(),
+          [&](vtkIdType id) { return near[static_cast<std::size_t>(id)] != 0; });
+        taken[static_cast<std::size_t>(cell)] |= static_cast<unsigned char>(touches);
+        for (vtkIdType i = 0; i < ids->GetNumberOfIds() && touches; ++i)
+        {
+          next[static_cast<std::size_t>(ids->GetId(i))] = 1;
+        }
+      }
+      near.swap(next);
+    }
+    return this->PackCells(taken);
+  }
+
+  Parcel PackCells(const Flags& taken) const
+  {
+    Parcel parcel;
+    std::map<vtkIdType, vtkIdType> numbers; // of the points, in the parcel
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = 0; cell < this->NumberOfOwnCells; ++cell)
+    {
+      if (!taken[static_cast<std::size_t>(cell)])
+      {
+        continue;
+      }
+      const int type = this->Grid->GetCellType(cell);
+      describeCell(this->Grid, cell, ids);
+      forEachPoint(type, ids->GetPointer(0), ids->GetNumberOfIds(), [&](vtkIdType& id) {
+        const auto found = numbers.emplace(id, static_cast<vtkIdType>(numbers.size()));
+        if (found.second)
+        {
+          const double* x = this->Points->GetPoint(id);
+          parcel.Places.insert(parcel.Places.end(), x, x + 3);
+        }
+        id = found.first->second;
+      });
+      parcel.Cells.push_back(type);
+      parcel.Cells.push_back(ids->GetNumberOfIds());
+      parcel.Cells.insert(parcel.Cells.end(), ids->begin(), ids->end());
+    }
+    return parcel;
+  }
+
+  vtkDataSet* Piece;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  vtkNew<vtkPoints> Points;
+  Flags HasOwnCell; // points
+  vtkIdType NumberOfOwnCells = 0;
+};
+} // namespace
+
+vtkSmartPointer<vtkDataSet> withCellsOfOtherRanks(vtkDataSet* piece)
+{
+  if (!isMeshOnAnyRank(piece))
+  {
+    return nullptr;
+  }
+  BorderMesh mesh(piece);
+  const std::vector<Parcel> parcels = mesh.PackForRanks();
+  const int mine = allRanks()->GetLocalProcessId();
+  // Pairs of ranks meet in one order everywhere, so that nobody waits for somebody who waits.
+  for (int other = 0; other < allRanks()->GetNumberOfProcesses(); ++other)
+  {
+    if (other > mine)
+    {
+      send(parcels[static_cast<std::size_t>(other)], other);
+    }
+    if (other != mine)
+    {
+      Parcel parcel = receive(other);
+      mesh.Add(parcel);
+    }
+    if (other < mine)
+    {
+      send(parcels[static_cast<std::size_t>(other)], other);
+    }
+  }
+  return mesh.GetGrid();
+}
+
+} // namespace nephoscope
