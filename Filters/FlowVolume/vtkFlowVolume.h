@@ -332,6 +332,7 @@ private:
   void WarnOfCoarsening(double polygonEdgeLength, bool isMuch);
   void WarnOfLongEdges();
   void WarnOfLimit();
+  void WarnOfLeaving(const nephoscope::SmokeMesh& mesh, double diagonal);
   void WarnOfObstacles(const nephoscope::SmokeReport& report);
   void WarnOfMissing(const nephoscope::FlowField& field);
   void WarnOfNothing(const nephoscope::SmokeReport& report);

@@ -38,18 +38,29 @@ constexpr std::size_t atOnce = 32; // candidates: ranks exchange them together
 constexpr int mostHalvings = 7;
 constexpr std::size_t mostTraced = 400;
 constexpr std::size_t mostWithRim = 24;
-constexpr double mostRoom = 4.0;     // radii of the polygon, across the flow
-constexpr double speedStep = 0.05;   // of the greatest speed: speeds closer than this are as good
-constexpr double leastSpeed = 0.5;   // of the greatest
-constexpr double farEnough = 0.35;   // that smoke from the fastest place goes, of half the diagonal
-constexpr double qualityStep = 0.05; // of the best quality: those closer than this are as good
+constexpr double mostRoom = 4.0;    // radii of the polygon, across the flow
+constexpr double speedStep = 0.05;  // of the greatest speed: speeds closer than this are as good
+constexpr double leastSpeed = 0.5;  // of the greatest
+constexpr double farEnough = 0.35;  // that smoke from the fastest place goes, of half the diagonal
+constexpr double enoughRoom = 0.75; // of `mostRoom`
+constexpr double fastEnough = 0.7;  // upstream, of the speed
+constexpr double reachStep = 0.05;  // reaches closer than this are as good
+constexpr int stepsUpstream = 16;   // each a twentieth of half the diagonal
+constexpr double distanceStep = 1e-5; // of the square of the diagonal
+constexpr double qualityStep = 0.05;  // of the best quality: those closer than this are as good
+
+// Rounded, and the same if it differs by rounding errors, as it does between numbers of ranks.
+double Step(double value)
+{
+  return std::floor(value + 0.5 + 1e-7);
+}
 
 struct Candidate
 {
   Vector3 Place{};
   Vector3 Velocity{};
   double Speed = 0.0;
-  double Distance = 0.0; // squared, from the middle
+  double Distance = 0.0; // squared, from the middle, in steps: equal ones differ by rounding
   double Radius = 0.0;   // that fits in
   double Room = 0.0;     // share of `mostRoom` radii that is free around it
   double Quality = 0.0;
@@ -88,11 +99,12 @@ std::vector<Candidate> Candidates(
   const auto inside = SampleAt(field, places, velocities);
   double middle[3];
   box.GetCenter(middle);
+  const double unit = std::max(distanceStep * std::pow(box.GetDiagonalLength(), 2), VTK_DBL_MIN);
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     Candidate c{ places[i], velocities[i], vtkMath::Norm(velocities[i].data()),
-      vtkMath::Distance2BetweenPoints(places[i].data(), middle) };
+      Step(vtkMath::Distance2BetweenPoints(places[i].data(), middle) / unit) };
     if (inside[i] && c.Speed > 0.0 && std::isfinite(c.Speed))
     {
       candidates.push_back(c);
@@ -210,12 +222,6 @@ std::vector<double> MeanReaches(
       static_cast<double>(each));
   }
   return means;
-}
-
-// Rounded, and the same if it differs by rounding errors, as it does between numbers of ranks.
-double Step(double value)
-{
-  return std::floor(value + 0.5 + 1e-7);
 }
 
 // How far from the border of the data each is, across the flow: smoke beside a wall sticks to it, or leaves the data.
@@ -353,6 +359,54 @@ void JudgeByRim(const DataSetField& field, const PolygonPoints& polygon, double 
   }
 }
 
+// The place and, one after the other, places upstream of it, as far as the flow comes from inside the data and is about as fast.
+std::vector<Candidate> Upstream(const DataSetField& field, const Candidate& from, double step)
+{
+  std::vector<Candidate> path = { from };
+  for (int k = 0; k < stepsUpstream; ++k)
+  {
+    Candidate next = path.back();
+    std::vector<Vector3> velocity;
+    Vector3 along = next.Velocity;
+    for (const double part : { 0.5, 1.0 }) // the midpoint rule
+    {
+      next.Place = path.back().Place + (-part * step) * nephoscope::normalized(along);
+      if (!SampleAt(field, { next.Place }, velocity).front())
+      {
+        return path;
+      }
+      along = velocity.front();
+    }
+    next.Velocity = velocity.front();
+    next.Speed = nephoscope::norm(next.Velocity);
+    if (!(next.Speed >= fastEnough * from.Speed) || !std::isfinite(next.Speed))
+    {
+      return path;
+    }
+    path.push_back(next);
+  }
+  return path;
+}
+
+// The place on that path from which smoke goes farthest, with as much room for the same polygon; of those that are as good the nearest.
+Candidate FarthestUpstream(const DataSetField& field, const PolygonPoints& polygon,
+  const Candidate& from, double halfDiagonal, double& reach)
+{
+  std::vector<Candidate> path = Upstream(field, from, halfDiagonal / 20.0);
+  FindRoom(field, from.Radius, path);
+  const std::vector<bool> inside = polygon.AreInside(field, path);
+  const std::vector<double> reaches = MeanReaches(field, path, halfDiagonal);
+  const double room = std::min(path.front().Room, enoughRoom);
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < path.size(); ++i)
+  {
+    const bool fits = inside[i] && path[i].Room >= room;
+    best = fits && Step(reaches[i] / reachStep) > Step(reaches[best] / reachStep) ? i : best;
+  }
+  reach = reaches[best];
+  return path[best];
+}
+
 // Where the product of speed, reach, room and radius is greatest.
 Candidate BestTraced(const DataSetField& field, const PolygonPoints& polygon,
   std::vector<Candidate> candidates, double diagonal)
@@ -402,14 +456,14 @@ bool vtkFlowVolumePlacement::Find(vtkDataObject* data, const std::string& veloci
   const double diagonal = this->Diagonal > 0.0 ? this->Diagonal : box.GetDiagonalLength();
   const PolygonPoints polygon(this->NumberOfSides);
   Candidate chosen = Fastest(*field, polygon, candidates, diagonal / 50.0);
-  const double reach = MeanReaches(*field, { chosen }, 0.5 * diagonal).front();
-  chosen.Quality = reach * chosen.Speed * chosen.Radius / (diagonal / 50.0);
+  double reach = MeanReaches(*field, { chosen }, 0.5 * diagonal).front();
   if (reach < farEnough)
   {
     chosen = BestTraced(*field, polygon, candidates, diagonal);
   }
+  chosen = FarthestUpstream(*field, polygon, chosen, 0.5 * diagonal, reach);
+  this->Quality = reach * chosen.Speed * chosen.Radius / (diagonal / 50.0);
   this->Radius = chosen.Radius;
-  this->Quality = chosen.Quality;
   std::copy_n(chosen.Place.begin(), 3, this->Center);
   std::copy_n(chosen.Velocity.begin(), 3, this->Normal);
   vtkMath::Normalize(this->Normal);

@@ -12,9 +12,9 @@
  * 2. the length of the path inside the data, up to half of the diagonal of the bounds, in the time that the flow needs for this length at
  *    its initial speed; less if the path stays within an eighth of the diagonal;
  * 3. the radius: 1/50 of the diagonal, or half, a quarter, ... 1/128 of that, such that all points of the polygon across the flow are inside the data;
- * Among positions within 5 % of the best, it takes the one nearest to the centre of the bounds. The same data give
- * the same position on one process or on several. Hosts use it for their defaults; vtkFlowVolume itself does not move
- * its polygon.
+ * Among positions within 5 % of the best, it takes the one nearest to the centre of the bounds. From there it goes upstream, up to 0.8 of half the diagonal,
+ * as long as smoke goes farther, the flow has at least 70 % of the speed and the polygon has room. The same cells give the same position as an image, a grid
+ * or unstructured data, on one process or on several. Hosts use it for their defaults; vtkFlowVolume itself does not move its polygon.
  */
 #ifndef vtkFlowVolumePlacement_h
 #define vtkFlowVolumePlacement_h

@@ -8,6 +8,7 @@
 #include "PolygonFlow.h"
 #include "WholeVolume.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -59,6 +60,7 @@ void vtkFlowVolume::MakeSteadyVolume(
     nephoscope::BuildWholeVolume(*field->Field, polygon, settings, anyTime, this->Duration == 0.0,
       coarser, [this](double share) { return this->Report(nephoscope::buildingShare * share); });
   this->ReportSteady(whole);
+  this->WarnOfLeaving(whole.Mesh, field->Diagonal);
   if (whole.IsCoarser && !whole.Mesh.Report.LimitReached && !whole.Mesh.Report.Stopped &&
     !whole.Mesh.Tetrahedra.empty())
   {
@@ -172,6 +174,28 @@ void vtkFlowVolume::WarnOfObstacles(const nephoscope::SmokeReport& report)
     << this->MaximumEdgeLengthUsed
     << ") to a fraction of the body, and raise MaximumNumberOfTetrahedra (now "
     << this->MaximumNumberOfTetrahedra << ").");
+}
+
+// Where it fills a small part of the data only because it has left them.
+void vtkFlowVolume::WarnOfLeaving(const nephoscope::SmokeMesh& mesh, double diagonal)
+{
+  constexpr double most = 0.5, small = 0.15; // of the smoke; of the diagonal
+  const double left = (mesh.Report.LostMass - mesh.Report.ObstacleMass) / mesh.Report.EmittedMass;
+  vtkBoundingBox box;
+  for (const nephoscope::Vector3& point : mesh.Points)
+  {
+    box.AddPoint(point[0], point[1], point[2]);
+  }
+  if (mesh.Report.Stopped || mesh.Tetrahedra.empty() || !(left > most) ||
+    box.GetDiagonalLength() > small * diagonal)
+  {
+    return;
+  }
+  vtkWarningMacro("Most of the smoke, "
+    << std::round(100.0 * left)
+    << " %, leaves the data at once, so that little of it is seen: it extends over "
+    << std::round(100.0 * box.GetDiagonalLength() / diagonal)
+    << " % of the diagonal of the data. Move the generating polygon (Center) upstream, or to where the flow goes far before it leaves the data.");
 }
 
 void vtkFlowVolume::WarnOfLimit()

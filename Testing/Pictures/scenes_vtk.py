@@ -135,7 +135,7 @@ def show_smoke(names):
 
 
 def show_puffs(names):
-    show(medium(smoke_volume(names["puffs"].GetOutputPort(), "SmokeDensity"), distance=2e5), earth(), look=(-1, -5, 4))
+    show(medium(smoke_volume(names["puffs"].GetOutputPort(), "SmokeDensity"), distance=2e5), earth(), look=names["place"].GetCenter())
 
 
 def show_layers(names):

@@ -6,10 +6,12 @@ import unittest
 import numpy as np
 from nephoscope import vtkFlowVolume, vtkFlowVolumePlacement
 from nephoscope_testing import meshes
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkRectilinearGrid, vtkStructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 
 def box(velocity, cells=(24, 24, 12), size=(2.0, 2.0, 1.0), origin=(-1.0, -1.0, -0.5)):
@@ -43,7 +45,42 @@ def saddle(x, y, z):
     return np.array([x, -y, 0.05 + 0 * z])
 
 
-FLOWS = {"whirl": (whirl, 0.9), "channel": (channel, 0.6), "outlet": (outlet, 0.8), "eye": (eye, 0.7), "saddle": (saddle, 0.7)}
+def body(x, y, z):
+    """Potential flow around a ball, which is still inside."""
+    r2 = np.maximum(x * x + y * y + z * z, 1e-9)
+    half = 0.5 * (0.3 / np.sqrt(r2)) ** 3
+    return np.where(r2 < 0.09, 0, np.array([1 + half - 3 * half * x * x / r2, -3 * half * x * y / r2, -3 * half * x * z / r2]))
+
+
+def jet(x, y, z):
+    return np.array([0.05 + np.exp(-25 * (y ** 2 + z ** 2)), 0 * y, 0 * z])
+
+
+FLOWS = {"whirl": (whirl, 0.9), "channel": (channel, 0.6), "outlet": (outlet, 0.8), "eye": (eye, 0.7), "saddle": (saddle, 0.7),
+         "uniform": (lambda x, y, z: np.array([1 + 0 * x, 0 * y, 0 * z]), 0.5), "jet": (jet, 0.5), "body": (body, 0.5)}
+
+
+def storages(data):
+    """The same cells as an image, as grids, and as unstructured data, with points in double and single precision."""
+    yield "image", data
+    rectilinear = vtkRectilinearGrid()
+    rectilinear.SetDimensions(data.GetDimensions())
+    points = meshes.points_of(data)
+    for axis, set_axis in enumerate((rectilinear.SetXCoordinates, rectilinear.SetYCoordinates, rectilinear.SetZCoordinates)):
+        set_axis(numpy_to_vtk(np.unique(points[:, axis]), deep=True))
+    rectilinear.GetPointData().ShallowCopy(data.GetPointData())
+    yield "rectilinear", rectilinear
+    for kind in (float, np.float32):
+        grid, places = vtkStructuredGrid(), vtkPoints()
+        places.SetData(numpy_to_vtk(points.astype(kind), deep=True))
+        grid.SetDimensions(data.GetDimensions())
+        grid.SetPoints(places)
+        grid.GetPointData().ShallowCopy(data.GetPointData())
+        yield f"structured, {kind.__name__}", grid
+        append = vtkAppendFilter()
+        append.SetInputData(grid)
+        append.Update()
+        yield f"unstructured, {kind.__name__}", append.GetOutput()
 
 
 class Placement(unittest.TestCase):
@@ -66,6 +103,39 @@ class Placement(unittest.TestCase):
             with self.subTest(name):
                 extent, _ = self.extent(box(velocity))
                 self.assertGreater(extent, least)
+
+    def test_long_way_in_a_stagnation_flow(self):
+        """Whose fastest places are the corners, where it leaves the data at once; in a cube, every n-th of whose cells lies in few planes."""
+        data = box(lambda x, y, z: np.array([x, -y, 1 + 0 * z]), (20, 20, 20), (20.0, 20.0, 20.0), (-10.0, -10.0, -10.0))
+        extent, _ = self.extent(data)
+        self.assertGreater(extent, 0.65)
+
+    def test_place_does_not_depend_on_the_storage(self):
+        for name, (velocity, _) in FLOWS.items():
+            found = {}
+            for kind, data in storages(box(velocity)):
+                place = vtkFlowVolumePlacement()
+                self.assertTrue(place.Find(data))
+                found[kind] = (*place.GetCenter(), *place.GetNormal(), place.GetRadius())
+            for kind, place in found.items():
+                np.testing.assert_allclose(place, found["image"], atol=1e-5, err_msg=f"{name}, {kind}")
+
+    def test_message_where_smoke_leaves_at_once(self):
+        """One, which names the remedy; none where the smoke goes far, or is lost at the end of a long way."""
+        data = box(saddle)
+        for center, duration, expected in (((-0.9, -0.8, 0.0), 0.0, 1), ((0.1, 0.8, 0.0), 0.0, 0), ((0.1, 0.8, 0.0), 50.0, 0)):
+            smoke = vtkFlowVolume()
+            warnings = []
+
+            @calldata_type(VTK_STRING)
+            def note(caller, event, text):
+                warnings.append(text)
+            smoke.AddObserver("WarningEvent", note)
+            smoke.SetInputData(data)
+            smoke.SetCenter(center)
+            smoke.SetDuration(duration)
+            smoke.Update()
+            self.assertEqual(len([text for text in warnings if "leaves the data at once" in text and "Center" in text]), expected, f"{center}, {warnings}")
 
     def test_no_faster_place_is_left_for_nothing(self):
         """In a channel the smoke is in its middle, where the flow is fastest."""

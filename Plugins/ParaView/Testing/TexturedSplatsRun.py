@@ -15,7 +15,7 @@ rotated.Transform.Rotate = [10, 20, 30]
 draw("structured", rotated)
 # Ranks are ordered by where the display places their data.
 draw("turned", wavelet, place={"Position": [5, 0, 0], "Orientation": [0, 20, 30], "Scale": [1.5, 1.5, 1.5]})
-# Of hexahedra, which are divided by the order of their points: those of a grid are divided by turns from the first of each rank on.
+# Unstructured hexahedra are divided by the order of their points, those of a grid by turns from the first of each rank on.
 tetrahedra = pvs.Tetrahedralize(Input=pvs.AppendDatasets(Input=rotated))
 draw("tetrahedra", tetrahedra)
 draw("particles", particles_of(tetrahedra))
