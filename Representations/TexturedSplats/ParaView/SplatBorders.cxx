@@ -33,10 +33,22 @@ vtkMultiProcessController* allRanks()
   return vtkMultiProcessController::GetGlobalController();
 }
 
-bool isMeshOnAnyRank(vtkDataSet* piece)
+// Particles, each in a cell of its own, are none.
+bool isMesh(vtkDataSet* piece)
 {
   int extent[6];
-  const int mine = piece->GetNumberOfCells() > 0 && !extentOf(piece, extent) ? 1 : 0;
+  bool found = false;
+  for (vtkIdType cell = 0; cell < piece->GetNumberOfCells() && !found; ++cell)
+  {
+    const int type = piece->GetCellType(cell);
+    found = type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL;
+  }
+  return found && !extentOf(piece, extent);
+}
+
+bool isMeshOnAnyRank(vtkDataSet* piece)
+{
+  const int mine = isMesh(piece) ? 1 : 0;
   int any = 0;
   allRanks()->AllReduce(&mine, &any, 1, vtkCommunicator::MAX_OP);
   return any != 0;
