@@ -235,11 +235,10 @@ void vtkCellCompositingMapper::WarnAboutContourValues()
   {
     return;
   }
-  const double* range = contours.GetRange();
   vtkDataArray* ofAll =
     this->GetDataSetInput()->GetFieldData()->GetArray(nephoscope::storedContourRangeName);
-  const double low = ofAll ? ofAll->GetComponent(0, 0) : range[0];
-  const double high = ofAll ? ofAll->GetComponent(1, 0) : range[1];
+  const double low = ofAll ? ofAll->GetComponent(0, 0) : contours.GetLeast();
+  const double high = ofAll ? ofAll->GetComponent(1, 0) : contours.GetGreatest();
   const auto& surfaces = this->Contours->Surfaces;
   const bool isSeen = std::any_of(surfaces.begin(), surfaces.end(), [&](const auto& surface) {
     return surface.Opacity > 0 && surface.Value >= low && surface.Value <= high;
@@ -254,8 +253,11 @@ void vtkCellCompositingMapper::WarnAboutContourValues()
   values << " of '" << (array->GetName() ? array->GetName() : "(unnamed)") << "'";
   if (!isSeen && this->Internals->ContourValuesWarning.IsNew(values.str()))
   {
-    vtkWarningMacro(<< "No contour surface is seen: there are none at " << values.str()
-                    << ", whose values go from " << low << " to " << high << ".");
+    warning << "No contour surface is seen: there are none at " << values.str()
+            << ", whose values ";
+    (low < high ? warning << "go from " << low << " to " << high : warning << "are all " << low)
+      << ".";
+    vtkWarningMacro(<< warning.str());
   }
 }
 

@@ -155,12 +155,14 @@ void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geomet
   this->OfColor = ofColor;
   this->Smooth = smooth;
   std::copy(geometry.ScalarRange, geometry.ScalarRange + 2, this->Range);
+  bool single = geometry.SingleScalar;
   this->Scalars.clear();
   if (!ofColor)
   {
-    findRange(data, selection, this->Range);
+    findRange(data, selection, this->Range, {}, &single);
     this->Scalars = normalizedScalars(selection, this->Range);
   }
+  this->Greatest = single ? this->Range[0] : this->Range[1];
   this->Gradients.clear();
   if (smooth)
   {

@@ -61,8 +61,11 @@ public:
   bool DrawsBetween(float low, float high) const;
   /** False where the grid closes on itself, but not the contoured array. */
   bool ClosesWith(const CellGeometry& geometry) const;
-  /** The least and the greatest of the values that are contoured. */
-  const double* GetRange() const { return this->Range; }
+  ///@{
+  /** The values that are contoured. */
+  double GetLeast() const { return this->Range[0]; }
+  double GetGreatest() const { return this->Greatest; }
+  ///@}
   /** Number of values at or below s. */
   std::size_t FindLayer(float s) const;
 
@@ -78,7 +81,8 @@ private:
   void UpdateField(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,
     const ScalarSelection& selection, bool smooth);
 
-  double Range[2] = { 0, 1 };
+  double Range[2] = { 0, 1 }; // never equal
+  double Greatest = 1;
   std::vector<float> Drawn; // values of the surfaces that are not transparent, ascending
   using Description = std::vector<std::tuple<double, double, std::array<double, 3>>>;
   std::tuple<std::int64_t, Description, std::vector<int>, vtkVolumeProperty*, vtkMTimeType> Key;

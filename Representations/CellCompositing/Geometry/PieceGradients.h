@@ -3,8 +3,8 @@
 /**
  * Gradients over a mesh of which each process has a piece: as PointGradients.h finds them where one has it all.
  *
- * Sums over the edges of cells add up. At the places that several pieces have in common, each process therefore sends the sums of its own cells to the others
- * (Send), and adds those that it gets (Add). Ghost cells do not count: another process sends their sums.
+ * Sums over the edges of cells add up. At the places that several pieces have in common, each process sends the sums of its own cells to the others, and adds those
+ * that it gets. Ghost cells do not count: another process sends their sums.
  */
 #ifndef PieceGradients_h
 #define PieceGradients_h
@@ -15,9 +15,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
-#include <map>
-
-class vtkBoundingBox;
 class vtkDataArray;
 class vtkFloatArray;
 
@@ -27,31 +24,20 @@ namespace nephoscope
 class VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT PieceGradients
 {
 public:
-  /** What is sent: a place, and sums. */
-  struct SumsAtPlace
-  {
-    std::array<double, 3> Where;
-    GradientSums Sums;
-  };
-
   /** `scalars`: of several components the magnitude counts; null in a piece without cells. Its range and the centre of the mesh are those of all pieces together. */
   PieceGradients(
     vtkDataSet* piece, vtkDataArray* scalars, const double range[2], const double center[3]);
 
-  /** The points with these numbers that lie in one of the boxes of other pieces may be theirs, too. */
-  void FindShared(const std::vector<vtkIdType>& points, std::vector<vtkBoundingBox> others);
-  std::vector<SumsAtPlace> Send() const;
-  void Add(const std::vector<SumsAtPlace>& others);
+  /** The first of the points that are where this one is. Sums stand there. */
+  vtkIdType PlaceOf(vtkIdType point) const { return this->Places[static_cast<std::size_t>(point)]; }
+  GradientSums& SumsAt(vtkIdType place) { return this->Sums[static_cast<std::size_t>(place)]; }
 
   /** The point array, called storedGradientsName. */
   vtkSmartPointer<vtkFloatArray> Solve() const;
 
 private:
-  vtkDataSet* Piece;
-  std::vector<std::int32_t> Places; // of points: the first that is there
-  std::vector<std::array<float, 3>> Positions;
+  std::vector<std::int32_t> Places;
   std::vector<GradientSums> Sums;
-  std::map<std::array<float, 3>, std::size_t> Shared; // places
 };
 
 } // namespace nephoscope

@@ -96,20 +96,6 @@ void GradientSums::Add(const Vector3& d, double change)
   }
 }
 
-void GradientSums::Add(const GradientSums& others)
-{
-  this->XX += others.XX;
-  this->XY += others.XY;
-  this->XZ += others.XZ;
-  this->YY += others.YY;
-  this->YZ += others.YZ;
-  this->ZZ += others.ZZ;
-  for (std::size_t c = 0; c < 3; ++c)
-  {
-    this->Right[c] += others.Right[c];
-  }
-}
-
 Vector3 GradientSums::Solve() const
 {
   const Vector3 x = { { this->XX, this->XY, this->XZ } };

@@ -38,7 +38,19 @@ struct GradientSums
 
   /** An edge, from either end: its difference of positions and of scalars. */
   void Add(const Vector3& d, double change);
-  void Add(const GradientSums& others);
+  void Add(const GradientSums& others)
+  {
+    this->XX += others.XX;
+    this->XY += others.XY;
+    this->XZ += others.XZ;
+    this->YY += others.YY;
+    this->YZ += others.YZ;
+    this->ZZ += others.ZZ;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      this->Right[c] += others.Right[c];
+    }
+  }
   /** The gradient. */
   Vector3 Solve() const;
 };

@@ -5,6 +5,7 @@
 #include "DataBlocks.h"
 #include "PieceGradients.h"
 #include "RankMeasures.h"
+#include "RankPlaces.h"
 #include "VolumetricCells.h"
 
 #include "vtkBoundingBox.h"
@@ -15,15 +16,23 @@
 #include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace nephoscope
 {
 namespace
 {
-using SumsAtPlace = PieceGradients::SumsAtPlace;
+/** What ranks send each other: a place as both have it, and sums. */
+struct SumsAtPlace
+{
+  Vector3 Where;
+  GradientSums Sums;
+};
 constexpr std::size_t numbersPerPlace = 12;
 static_assert(sizeof(SumsAtPlace) == numbersPerPlace * sizeof(double), "sent as numbers");
+constexpr int sumsTag = 26130;
 
 bool holdsOnAll(vtkMultiProcessController* controller, bool mine)
 {
@@ -32,64 +41,94 @@ bool holdsOnAll(vtkMultiProcessController* controller, bool mine)
   return all != 0;
 }
 
-std::vector<vtkBoundingBox> boxesOfPieces(vtkMultiProcessController* controller, vtkDataSet* piece)
+void findCenter(vtkMultiProcessController* controller, vtkDataSet* piece, double center[3])
 {
-  double mine[6];
-  vtkBoundingBox().GetBounds(mine);
+  vtkBoundingBox mine, all;
   if (piece->GetNumberOfCells() > 0)
   {
-    piece->GetBounds(mine);
+    mine.SetBounds(piece->GetBounds());
   }
-  std::vector<double> all(6 * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
-  controller->AllGather(mine, all.data(), 6);
-  std::vector<vtkBoundingBox> boxes;
-  for (std::size_t first = 0; first < all.size(); first += 6)
-  {
-    boxes.emplace_back(&all[first]);
-  }
-  return boxes;
-}
-
-void findCenter(const std::vector<vtkBoundingBox>& boxes, double center[3])
-{
-  vtkBoundingBox all;
-  for (const vtkBoundingBox& box : boxes)
-  {
-    all.AddBox(box);
-  }
+  controller->AllReduce(mine, all);
   if (all.IsValid())
   {
     all.GetCenter(center);
   }
 }
 
-// Boxes of images touch in few points; others may lie anywhere.
-std::vector<vtkIdType> outerPoints(vtkDataSet* piece)
+// The places at which cells of other pieces may be.
+std::vector<vtkIdType> outerPlaces(vtkDataSet* piece, const PieceGradients& gradients)
 {
+  std::vector<vtkIdType> places(static_cast<std::size_t>(piece->GetNumberOfPoints()));
+  std::iota(places.begin(), places.end(), 0);
   if (auto* cells = vtkUnstructuredGrid::SafeDownCast(piece))
   {
-    return pointsOfSurface(cells);
+    places = pointsOfSurface(cells);
   }
-  std::vector<vtkIdType> all(static_cast<std::size_t>(piece->GetNumberOfPoints()));
-  std::iota(all.begin(), all.end(), 0);
-  return all;
+  std::transform(places.begin(), places.end(), places.begin(),
+    [&](vtkIdType point) { return gradients.PlaceOf(point); });
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
 }
 
-void exchange(vtkMultiProcessController* controller, PieceGradients& gradients)
+void send(vtkMultiProcessController* controller, const std::vector<SumsAtPlace>& sums, int rank)
 {
-  const std::vector<SumsAtPlace> mine = gradients.Send();
+  const auto count = static_cast<vtkIdType>(sums.size());
+  controller->Send(&count, 1, rank, sumsTag);
+  controller->Send(reinterpret_cast<const double*>(sums.data()),
+    count * static_cast<vtkIdType>(numbersPerPlace), rank, sumsTag + 1);
+}
+
+std::vector<SumsAtPlace> receive(vtkMultiProcessController* controller, int rank)
+{
+  vtkIdType count = 0;
+  controller->Receive(&count, 1, rank, sumsTag);
+  std::vector<SumsAtPlace> sums(static_cast<std::size_t>(count));
+  controller->Receive(reinterpret_cast<double*>(sums.data()),
+    count * static_cast<vtkIdType>(numbersPerPlace), rank, sumsTag + 1);
+  return sums;
+}
+
+// Adds the sums of the other ranks at the places that this one has too.
+void addThoseOfOthers(
+  vtkMultiProcessController* controller, vtkDataSet* piece, PieceGradients& gradients)
+{
+  const std::vector<vtkIdType> outer = outerPlaces(piece, gradients);
+  std::vector<Vector3> positions(outer.size());
+  for (std::size_t i = 0; i < outer.size(); ++i)
+  {
+    piece->GetPoint(outer[i], positions[i].data());
+  }
+  std::vector<std::vector<SumsAtPlace>> own(
+    static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  std::map<Vector3, vtkIdType> places;
+  for (const SharedPlace& shared : placesOfSeveralRanks(positions))
+  {
+    const vtkIdType place = outer[shared.Index];
+    places[shared.Rounded] = place;
+    own[static_cast<std::size_t>(shared.Rank)].push_back(
+      { shared.Rounded, gradients.SumsAt(place) });
+  }
+  // Pairs of ranks meet in one order everywhere, so that nobody waits for somebody who waits.
   const int self = controller->GetLocalProcessId();
   for (int rank = 0; rank < controller->GetNumberOfProcesses(); ++rank)
   {
-    std::vector<SumsAtPlace> sent = rank == self ? mine : std::vector<SumsAtPlace>();
-    auto count = static_cast<vtkIdType>(sent.size());
-    controller->Broadcast(&count, 1, rank);
-    sent.resize(static_cast<std::size_t>(count));
-    controller->Broadcast(reinterpret_cast<double*>(sent.data()),
-      count * static_cast<vtkIdType>(numbersPerPlace), rank);
-    if (rank != self)
+    if (rank > self)
     {
-      gradients.Add(sent);
+      send(controller, own[static_cast<std::size_t>(rank)], rank);
+    }
+    for (const SumsAtPlace& other :
+      rank == self ? std::vector<SumsAtPlace>() : receive(controller, rank))
+    {
+      const auto place = places.find(other.Where);
+      if (place != places.end())
+      {
+        gradients.SumsAt(place->second).Add(other.Sums);
+      }
+    }
+    if (rank < self)
+    {
+      send(controller, own[static_cast<std::size_t>(rank)], rank);
     }
   }
 }
@@ -113,14 +152,10 @@ void storeRankContours(vtkDataSet* piece, const char* arrayName, bool ofMagnitud
   storeNumbers(piece, storedContourRangeName, { range[0], range[1] });
   if (gradients)
   {
-    const std::vector<vtkBoundingBox> boxes = boxesOfPieces(controller, piece);
     double center[3] = { 0, 0, 0 };
-    findCenter(boxes, center);
+    findCenter(controller, piece, center);
     PieceGradients found(piece, array, range, center);
-    std::vector<vtkBoundingBox> others = boxes;
-    others.erase(others.begin() + controller->GetLocalProcessId());
-    found.FindShared(outerPoints(piece), others);
-    exchange(controller, found);
+    addThoseOfOthers(controller, piece, found);
     piece->GetPointData()->AddArray(found.Solve());
   }
 }

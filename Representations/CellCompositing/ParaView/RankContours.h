@@ -12,8 +12,8 @@ namespace nephoscope
 /**
  * Stores the range of a point array (storedContourRangeName in PointGradients.h) and, if asked to, its gradients (storedGradientsName there): those that one rank with
  * the cells of all would find. All ranks must call it; a piece without cells needs no array. Arrays of several components have those of their magnitude. Where the
- * array is missing on any rank, or has several components and `ofMagnitude` is false, nothing is stored, and each rank finds what its own cells have. The points of
- * each piece that others may have are exchanged for the gradients, one rank after another: 96 bytes each.
+ * array is missing on any rank, or has several components and `ofMagnitude` is false, nothing is stored, and each rank finds what its own cells have. The points that
+ * several pieces have are exchanged for the gradients: 96 bytes each.
  */
 void storeRankContours(vtkDataSet* piece, const char* arrayName, bool ofMagnitude, bool gradients);
 

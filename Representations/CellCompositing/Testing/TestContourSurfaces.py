@@ -39,7 +39,8 @@ class ContourTestCase(ImageTestCase):
         if configure:
             configure(ours)
         window.render()
-        self.fail_on_messages(window)
+        self.unseen = [m for m in window.messages.all if "No contour surface is seen" in m]
+        self.assertEqual(window.messages.all, self.unseen, "a normal scene must draw without other messages")
         self.kept = window, scene, volume
         return ours, scene.view(), float_image(ours)
 
@@ -176,6 +177,8 @@ class AtFaces(ContourTestCase):
             _, _, ours = self.alpha(data, (value,), (0, 0, 1))
             self.assertLessEqual(ours.GetNumberOfDrawnTetrahedra(), layers * 16 * 6)
             self.assertEqual(ours.GetNumberOfDrawnTetrahedra() > 0, layers > 0)
+            self.assertEqual(len(self.unseen), layers == 0)
+            self.assertTrue(layers or "none at 2 of 's', whose values go from 0 to 1." in self.unseen[0], self.unseen)
 
 
 class Spheres(ContourTestCase):
@@ -365,6 +368,8 @@ class BadInput(ContourTestCase):
         for value in (5, 4, 6):
             _, _, image = self.draw(data, CLEAR, [Surface(value)], lighting=True)
             self.assertEqual(image.max(), 0)
+            self.assertEqual(len(self.unseen), value != 5)
+            self.assertTrue(value == 5 or "whose values are all 5." in self.unseen[0], self.unseen)
 
 
 if __name__ == "__main__":

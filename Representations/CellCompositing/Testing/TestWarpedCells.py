@@ -13,6 +13,7 @@ from nephoscope_testing.messages import Messages
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 
 UNIFORM = Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 1), (1, 1)], unit_distance=1)
 OPAQUE = 1 - np.exp(-1)
@@ -58,12 +59,19 @@ class Drawn:
 
 def with_contour(ours, array=""):
     ours.SetNumberOfContourValues(1)
-    ours.SetContourValue(0, 2.0)  # nowhere
+    ours.SetContourValue(0, 2.0)  # nowhere, and not told since it could not be seen anywhere
+    ours.SetContourOpacity(0, 0.0)
     ours.SetContourArrayName(array)
 
 
 def with_contour_of_another_array(ours):
     with_contour(ours, "t")
+
+
+def with_layers(ours):
+    with_contour(ours)
+    ours.SetLayersFromContours(True)
+    ours.SetLayerProperty(1, vtkVolumeProperty())  # of a layer that no cell is in
 
 
 class TestWarpedCells(unittest.TestCase):
@@ -75,17 +83,18 @@ class TestWarpedCells(unittest.TestCase):
             self.assertLess(errors.max(), 1e-4, noise)
 
     def test_contours(self):
-        """Contours of the coloured array are drawn in whole cells, too."""
-        drawn = Drawn(cube(0.025))
-        with_contour(drawn.mapper)
-        with Messages() as messages:
-            errors = drawn.errors()
-        self.assertEqual(messages.all, [])
-        self.assertLess(errors.max(), 1e-4)
+        """Contours are drawn in whole cells, too."""
+        for add in (with_contour, with_contour_of_another_array):
+            drawn = Drawn(cube(0.025))
+            add(drawn.mapper)
+            with Messages() as messages:
+                errors = drawn.errors()
+            self.assertEqual(messages.all, [])
+            self.assertLess(errors.max(), 1e-4)
 
     def test_tetrahedra_say_so(self):
         """Where tetrahedra are needed, the picture is wrong, and a warning names the remedy."""
-        for choose in (lambda ours: ours.SetCellInterpolationToTetrahedra(), with_contour_of_another_array):
+        for choose in (lambda ours: ours.SetCellInterpolationToTetrahedra(), with_layers):
             drawn = Drawn(cube(0.025))
             choose(drawn.mapper)
             with Messages() as messages:

@@ -4,11 +4,10 @@
 #ifndef SplatOwners_h
 #define SplatOwners_h
 
-#include "SplatMatrix.h"
+#include "RankPlaces.h"
 
 #include "vtkSmartPointer.h"
 
-#include <cstddef>
 #include <vector>
 
 class vtkDataSet;
@@ -21,16 +20,6 @@ namespace nephoscope
  * their borders. Only places inside the bounds of another rank are exchanged. Collective.
  */
 std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places);
-
-/** A place that another rank has too: its number among the places of this rank. */
-struct SharedPlace
-{
-  std::size_t Index;
-  int Rank;
-};
-
-/** All of this rank's places that other ranks have, once for each of them, to the same rounding. Collective. */
-std::vector<SharedPlace> placesOfSeveralRanks(const std::vector<Vector3>& places);
 
 /**
  * `piece`, or a copy whose flags of duplicate points follow from those of its cells, where there are any: filters that number the points of a piece with
