@@ -13,6 +13,8 @@
 #include "SmokeOutput.h"
 #include "VelocityChoice.h"
 
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -45,6 +47,32 @@ vtkFlowVolume::~vtkFlowVolume()
 }
 
 vtkCxxSetObjectMacro(vtkFlowVolume, Controller, vtkMultiProcessController);
+
+namespace
+{
+// There is no flow anywhere in the data of this process.
+bool isStill(const nephoscope::FlowField& field)
+{
+  const auto sets = nephoscope::DataSetsOf(field.Data);
+  return std::all_of(sets.begin(), sets.end(), [&](vtkDataSet* set) {
+    vtkDataArray* velocity =
+      set->GetAttributes(field.Velocity.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT)
+        ->GetArray(field.Velocity.Name.c_str());
+    double speeds[2] = { 0, 0 };
+    if (velocity)
+    {
+      velocity->GetFiniteRange(speeds, -1);
+    }
+    return !(speeds[1] > 0.0);
+  });
+}
+
+std::string whyStill(const nephoscope::FlowField& field)
+{
+  return "The flow (array '" + field.Velocity.Name +
+    "') is zero everywhere, so no smoke moves. Choose another array of velocities, or another time.";
+}
+}
 
 nephoscope::FlowVolumeExchange vtkFlowVolume::Exchange() const
 {
@@ -231,6 +259,11 @@ bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
   direction = nephoscope::normalized(found);
   if (!(nephoscope::norm(direction) > 0.0))
   {
+    if (this->Exchange().AllTrue(isStill(field)))
+    {
+      vtkErrorMacro(<< whyStill(field));
+      return false;
+    }
     vtkErrorMacro("The flow (array '"
       << field.Velocity.Name << "') is zero at the centre of the generating polygon, (" << center[0]
       << ", " << center[1] << ", " << center[2]
@@ -273,6 +306,11 @@ bool vtkFlowVolume::CheckFlow(
 {
   if (flow.MeanSpeed == 0.0)
   {
+    if (this->Exchange().AllTrue(isStill(field)))
+    {
+      vtkErrorMacro(<< whyStill(field));
+      return false;
+    }
     vtkErrorMacro("The flow (array '"
       << field.Velocity.Name << "') is zero at the generating polygon: move it into the flow.");
     return false;

@@ -137,17 +137,17 @@ double OldestAge(vtkUnstructuredGrid* grid)
   return oldest;
 }
 
-// About four puffs at a time.
-double AutomaticPeriod(double oldestAge)
+// About four puffs at a time, but none shorter than two time steps.
+double AutomaticPeriod(double oldestAge, double timeStep, double width)
 {
-  return oldestAge > 0.0 ? 0.25 * oldestAge : 1.0;
+  return std::max(oldestAge > 0.0 ? 0.25 * oldestAge : 1.0, 2.0 * timeStep / width);
 }
 
 // Time between two layers of a flow volume, from the ages of its cells; 0 if it has one layer, or no numbers of layers.
 double TimeStepOf(vtkUnstructuredGrid* smoke)
 {
-  vtkDataArray* ages = smoke->GetCellData()->GetArray("Age");
-  vtkDataArray* layers = smoke->GetCellData()->GetArray("EmissionStep");
+  vtkDataArray* ages = smoke ? smoke->GetCellData()->GetArray("Age") : nullptr;
+  vtkDataArray* layers = smoke ? smoke->GetCellData()->GetArray("EmissionStep") : nullptr;
   if (!ages || !layers)
   {
     return 0.0;
@@ -222,7 +222,8 @@ void vtkSmokePuffs::AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo
     double period = this->Period > 0.0 ? this->Period : this->ActualPeriod;
     if (period == 0.0)
     {
-      period = AutomaticPeriod(OldestAge(vtkUnstructuredGrid::GetData(inInfo)));
+      vtkUnstructuredGrid* smoke = vtkUnstructuredGrid::GetData(inInfo);
+      period = AutomaticPeriod(OldestAge(smoke), TimeStepOf(smoke), this->Width);
     }
     const double length = period / this->TimeScale;
     const double range[2] = { input.Start, input.Start + length };
@@ -273,9 +274,13 @@ int vtkSmokePuffs::RequestData(
   }
 
   nephoscope::PuffPulse pulse;
-  pulse.Period =
-    this->Period > 0.0 ? this->Period : AutomaticPeriod(LargestOfRanks(OldestAge(input)));
   pulse.Width = this->Width;
+  pulse.Period = this->Period;
+  if (!(this->Period > 0.0))
+  {
+    pulse.Period = AutomaticPeriod(
+      LargestOfRanks(OldestAge(input)), LargestOfRanks(TimeStepOf(input)), this->Width);
+  }
   pulse.Floor = this->Floor;
   pulse.Scale = this->Normalization == MEAN ? 1.0 / pulse.Mean() : 1.0;
   this->ActualPeriod = pulse.Period;

@@ -114,8 +114,13 @@ class BadInput(unittest.TestCase):
         self.expect(cube((np.inf, 0, 1)), "is not a finite number")
 
     def test_no_flow(self):
-        self.expect(cube((0, 0, 0)), "'Flow') is zero at the centre", "move the polygon")
-        self.expect(cube((0, 0, 0)), "'Flow') is zero at the generating polygon", NormalToFlow=False)
+        data = cube()
+        still = np.where(np.abs(meshes.points_of(data)[:, :1]) < 0.9, 0.0, [[0.0, 0.0, 1.0]])
+        meshes.add_array(data.GetPointData(), still, "Flow")
+        self.expect(data, "'Flow') is zero at the centre", "move the polygon")
+        self.expect(data, "'Flow') is zero at the generating polygon", NormalToFlow=False)
+        for settings in ({}, {"NormalToFlow": False}):
+            self.expect(cube((0, 0, 0)), "'Flow') is zero everywhere", "another array", **settings)
 
     def test_parallel_flow(self):
         self.expect(cube((1, 0, 0)), "parallel to the generating polygon", "NormalToFlow", NormalToFlow=False)
