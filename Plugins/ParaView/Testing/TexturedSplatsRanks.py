@@ -7,7 +7,7 @@ import numpy as np
 from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "TexturedSplatsRun.py"
-ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "hexahedra", "own-hexahedra", "own-tetrahedra", "stray", "turned", "globe", "numbered", "numbered-image",
+ONE_PICTURE = ("image", "again", "cells", "structured", "tetrahedra", "particles", "hexahedra", "own-hexahedra", "own-tetrahedra", "hidden", "stray", "turned", "globe", "numbered", "numbered-image",
                "slice", "flat", "flat-cells", "tilted", "tilted-cells", "trees", "cells-of-trees", "no-vectors")
 NAMES = ONE_PICTURE + ("hierarchy", "grid")
 

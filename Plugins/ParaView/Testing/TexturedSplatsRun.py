@@ -23,10 +23,19 @@ draw("particles", particles_of(tetrahedra))
 bent = pvs.Calculator(Input=pvs.Transform(Input=wavelet), CoordinateResults=1, Function="(9+coordsX/4)*(cos(coordsY*acos(-1)/10)*iHat+sin(coordsY*acos(-1)/10)*jHat)+coordsZ*kHat")
 mesh = pvs.AppendDatasets(Input=bent)
 draw("hexahedra", mesh)
+HIDDEN = """
+import numpy
+a = inputs[0].PointData['RTData']
+mask = numpy.asarray(a) < 200
+output.PointData.append(numpy.where(mask, 0.0, a), 'RTData')
+output.PointData.append(numpy.where(mask, 2, 0).astype(numpy.uint8), 'vtkGhostType')
+"""
 OWN = "output.ShallowCopy(self.GetInputDataObject(0, 0)); output.VTKObject.RemoveGhostCells()"
 draw("own-hexahedra", pvs.ProgrammableFilter(Input=mesh, Script=OWN))
 draw("own-tetrahedra", pvs.ProgrammableFilter(Input=pvs.Tetrahedralize(Input=mesh), Script=OWN))
 draw("grid", bent)
+# Hidden points keep the values that decide how opaque the others are, as those of *Resample To Image* outside its input.
+draw("hidden", pvs.ProgrammableFilter(Input=wavelet, Script=HIDDEN))
 # The eight corners are a thousand times as far away: lengths that follow the data must not.
 stray = pvs.Calculator(Input=pvs.Tetrahedralize(Input=wavelet), CoordinateResults=1, Function="if(mag(coords)>17.3, 1000*coords, coords)")
 draw("stray", particles_of(stray))

@@ -72,7 +72,8 @@ nephoscope::SplatSampling vtkTexturedSplatsRepresentation::GetSampling(bool onCe
 void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
 {
   const bool onCells = this->DrawsCells();
-  this->Piece = nephoscope::sampledPart(input);
+  const vtkSmartPointer<vtkDataSet> whole = nephoscope::sampledPart(input);
+  this->Piece = whole;
   const bool inOwnCells = onCells && vtkUnstructuredGrid::SafeDownCast(this->Piece);
   this->Piece = GetNumberOfRanks() > 1
     ? nephoscope::splatVertices(this->Piece, this->GetSampling(onCells))
@@ -87,8 +88,17 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   const bool together = (association == vtkDataObject::CELL) == inCells;
   const nephoscope::MediumBounds common =
     nephoscope::boundsOfSamples(this->Piece, sampling, nephoscope::reductionOverRanks());
-  const nephoscope::MediumMeasures all = nephoscope::reduceOverRanks(
-    nephoscope::measureSplats(this->Piece, sampling, together ? scalars : nullptr, {}, common));
+  nephoscope::MediumMeasures mine =
+    nephoscope::measureSplats(this->Piece, sampling, together ? scalars : nullptr, {}, common);
+  vtkDataArray* ofWhole = scalars && whole
+    ? whole->GetAttributes(onCells ? vtkDataObject::CELL : vtkDataObject::POINT)
+        ->GetArray(scalars->GetName())
+    : nullptr;
+  if (ofWhole && together && mine.Volume > 0.0) // as on one rank, where hidden samples stay
+  {
+    nephoscope::findFiniteRange(ofWhole, mine.ScalarRange);
+  }
+  const nephoscope::MediumMeasures all = nephoscope::reduceOverRanks(mine);
   if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
   {
     vtkWarningMacro(
