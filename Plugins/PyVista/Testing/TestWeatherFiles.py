@@ -3,7 +3,10 @@
 """Files that are no weather data that can be read: each is named for what it is, with a remedy. Files that can are found whatever their names are."""
 import gzip
 import io
+import itertools
 import struct
+import subprocess
+import sys
 import tempfile
 import unittest
 import zipfile
@@ -103,6 +106,15 @@ class Files(unittest.TestCase):
             self.folder.joinpath(name).write_bytes(self.folder.joinpath("a.nc").read_bytes())
             with nephoscope.open(self.folder / name) as opened:
                 self.assertEqual(set(opened.data_vars), set(dataset.data_vars))
+
+    def test_both_readers_in_one_process(self):
+        """The process ends well, though VTK's NetCDF and the packages that xarray imports bring several versions of the same libraries."""
+        isothermal(LON, LAT).to_netcdf(self.folder / "a.nc")
+        for first, second in itertools.permutations(("nephoscope.open(path)", "nephoscope.read_cf(path)")):
+            with self.subTest(first):
+                code = f"import nephoscope; path = {str(self.folder / 'a.nc')!r}; kept = {first}, {second}"
+                done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
 
 
 if __name__ == "__main__":

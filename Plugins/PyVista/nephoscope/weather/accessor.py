@@ -350,6 +350,9 @@ def register() -> None:
     import warnings
 
     import xarray
+
+    from .extras import load_netcdf_of_vtk
+    load_netcdf_of_vtk()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", xarray.core.extensions.AccessorRegistrationWarning)
         xarray.register_dataset_accessor("nephoscope")(WeatherAccessor)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The packages that only weather data need, imported when they are needed."""
+import contextlib
 import importlib
 import importlib.util
 import sys
@@ -23,6 +24,16 @@ def need_elsewhere(module: str, purpose: str) -> None:
     """The same error for a module that only another process imports."""
     if importlib.util.find_spec(module) is None:
         raise _told(module, purpose, "no such module")
+
+
+def load_netcdf_of_vtk() -> None:
+    """Loads VTK's NetCDF with the libraries of the system before eccodes, which xarray imports when it opens a file.
+
+    The package eckitlib of eccodes has another version of OpenLDAP and shows its symbols to all libraries that come later. If the system's OpenLDAP, which
+    NetCDF needs, comes later, it frees the variables of the other when the process ends, and crashes.
+    """
+    with contextlib.suppress(ImportError):
+        importlib.import_module("vtkmodules.vtkIONetCDF")
 
 
 def _told(module: str, purpose: str, missing) -> ModuleNotFoundError:
