@@ -3,6 +3,7 @@
 """Units as files have them: signs that are not ASCII, oktas and tenths, levels of an ocean that are counted downwards, and pressures of sea water."""
 import os
 import unittest
+import warnings
 from pathlib import Path
 
 import nephoscope
@@ -11,7 +12,7 @@ import pyvista
 import xarray as xr
 from nephoscope.light import lit_surface
 from nephoscope.reader import _axes_in_order
-from nephoscope.weather.units import converted, plain, simple
+from nephoscope.weather.units import UnitsError, converted, plain, simple
 from nephoscope.weather.vertical import depth_of_sea_pressure
 from vtkmodules.vtkCommonCore import vtkStringArray
 
@@ -148,6 +149,48 @@ class Sea(unittest.TestCase):
             data = flat("a", ("depth", np.array([5.0, 100, 4000]), attributes))
             self.assertEqual(data.nephoscope.mesh().bounds[4:], (-4000, -5))
         self.assertEqual(flat("a").nephoscope.mesh().bounds[4:], (0, 2000))
+
+
+class WithoutUnits(unittest.TestCase):
+    """A variable whose units cannot be converted hinders only the pictures and quantities that need it."""
+
+    def setUp(self):
+        self.wind, self.cold = np.full((3, 7, 9), 8.0), np.full((3, 7, 9), -20.0)
+        sizes, metres = ("level", "latitude", "longitude"), {"units": "m s-1"}
+        self.dataset = weather("cc", units="1").assign(t=(sizes, self.cold), u=(sizes, self.wind, metres), v=(sizes, 0 * self.wind, metres), qc=(sizes, 7 + RANDOM))
+
+    def test_others_are_drawn(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            grid = self.dataset.nephoscope.globe(variables=["cc"], derive="wind_speed")
+        np.testing.assert_allclose(grid["wind_speed"], 8, rtol=1e-6)
+        np.testing.assert_array_equal(grid["cc"], np.float32(self.dataset.cc.values[:, ::-1]).ravel())
+        picture = self.dataset.nephoscope.plot("cc", screenshot=str(OUTPUT / "without_units.png"), window_size=(200, 200))
+        self.assertGreater(np.ptp(picture.screenshot(return_img=True)), 100)
+
+    def test_it_is_told(self):
+        told = self.dataset.nephoscope.describe()
+        self.assertIn("temperature: 't', left out", told)
+        self.assertRegex(told, "note: 't' is left out. 't' has no units, and its values, -20 to -20, are no temperature in K")
+        self.assertIn("heights: ", told)
+        with self.assertWarnsRegex(UserWarning, "'t' is left out. 't' has no units"):
+            self.assertNotIn("t", self.dataset.nephoscope.globe().point_data)
+
+    def test_it_is_an_error_where_it_is_needed(self):
+        draw = self.dataset.nephoscope
+        for what in (lambda: draw.globe(variables=["t"]), lambda: draw.globe(temperature="t"), lambda: draw.plot("t"), lambda: draw.globe(derive="potential_temperature"),
+                     lambda: self.dataset[["t"]].nephoscope.globe()):
+            self.assertRaisesRegex(UnitsError, "'t' has no units.*no temperature in K", what)
+        whole = self.dataset.assign(t=weather("t", 250 + 0 * RANDOM, units="K").t, ql=weather("ql", RANDOM, units="kg kg-1").ql)
+        whole = whole.rename(qc="ciwc")
+        self.assertRaisesRegex(UnitsError, "'ciwc' has no units", lambda: whole.nephoscope.globe(derive="cloud_content"))  # no sum of a part
+
+    def test_wind(self):
+        dataset = self.dataset.drop_vars("t").assign(u=self.dataset.u.drop_attrs() + 1e4)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertNotIn("Wind", dataset.nephoscope.globe(variables=["cc"]).point_data)
+        self.assertRaisesRegex(UnitsError, "'u' has no units", lambda: dataset.nephoscope.globe(derive="wind_speed"))
 
 
 if __name__ == "__main__":

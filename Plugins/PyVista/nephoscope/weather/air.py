@@ -138,7 +138,7 @@ class Air:
         vertical = self.reading.vertical
         raise VerticalError(f"The heights of the levels {vertical.dim!r} ({vertical.kind}) were not found: there is no height, geopotential, pressure or formula_terms on them. "
                             f"Variables on them: {listed([name for name, _ in self.reading.field_variables()])}. Name one: globe(altitude='...'), globe(geopotential='...') or "
-                            "globe(pressure='...').")
+                            "globe(pressure='...')." + "".join(f" Left out: {problem}" for problem in self.reading.unusable.values()))
 
     height_source = ""
 

@@ -12,6 +12,7 @@ from .columns import density
 from .humidity import relative_from_specific
 from .quantities import WATER, no_water, wanted
 from .reading import Reading
+from .units import UnitsError
 from .winds import winds
 
 CRITICAL_HUMIDITY = 0.8  # of Sundqvist's cloud fraction
@@ -19,7 +20,16 @@ CRITICAL_HUMIDITY = 0.8  # of Sundqvist's cloud fraction
 
 def derived(names, reading: Reading, air: Air) -> dict[str, np.ndarray]:
     """{name: field}, in the dataset's order of levels."""
-    return {name: QUANTITIES[name](reading, air) for name in wanted(names, QUANTITIES)}
+    return {name: _quantity(name, reading, air) for name in wanted(names, QUANTITIES)}
+
+
+def _quantity(name: str, reading: Reading, air: Air) -> np.ndarray:
+    try:
+        return QUANTITIES[name](reading, air)
+    except ValueError as problem:
+        if isinstance(problem, UnitsError) or not reading.unusable:
+            raise
+        raise UnitsError(f"{problem} Left out: {' '.join(reading.unusable.values())}") from problem
 
 
 def _need(value, what: str, name: str):
@@ -30,6 +40,7 @@ def _need(value, what: str, name: str):
 
 def relative_humidity(reading: Reading, air: Air) -> np.ndarray:
     """1 = saturated over water (Bolton 1980)."""
+    reading.refuse_unusable("relative_humidity")
     if reading.has("relative_humidity"):
         return reading.role("relative_humidity")
     specific = _need(air.specific_humidity, "specific humidity", "relative_humidity")
@@ -82,6 +93,7 @@ def water_fraction(name: str, reading: Reading, air: Air) -> np.ndarray:
     """kg/kg, of the cloud content or the water vapour."""
     if name == "water_vapour":
         return _need(air.specific_humidity, "specific humidity", "water_vapour")
+    reading.refuse_unusable(*WATER)
     there = [role for role in WATER if reading.has(role)]
     if not there:
         raise no_water("Name the variable: globe(cloud_water='...').")
@@ -96,6 +108,7 @@ def density_of(air: Air, name: str) -> np.ndarray:
 
 def cloud_fraction(reading: Reading, air: Air) -> np.ndarray:
     """The model's own cloud fraction; if it has none, 1 - sqrt((1 - RH) / (1 - 0.8)) (Sundqvist, Berge and Kristjansson 1989)."""
+    reading.refuse_unusable("cloud_fraction")
     if reading.has("cloud_fraction"):
         return reading.role("cloud_fraction")
     reading.note(f"cloud_fraction from the relative humidity, critical at {CRITICAL_HUMIDITY:g} (Sundqvist et al. 1989)")

@@ -3,6 +3,8 @@
 """A description in words of what was found in a dataset."""
 from __future__ import annotations
 
+import contextlib
+
 import numpy as np
 
 from .air import Air
@@ -10,12 +12,14 @@ from .horizontal import GridError
 from .reading import Reading
 from .roles import ROLES
 from .times import listed_times
+from .units import UnitsError
 from .winds import winds
 
 
 def described(reading: Reading, air: Air, dataset) -> str:
     lines = [_grid(reading), *_cells(reading), *_levels(reading, air), _times(reading, dataset), *_roles(reading)]
-    winds(reading, air)
+    with contextlib.suppress(UnitsError):  # said by the line of the heights
+        winds(reading, air)
     return "\n".join(lines + [f"note: {note}" for note in [*reading.horizontal.notes, *(reading.vertical.notes if reading.vertical else []), *reading.notes]])
 
 
@@ -39,7 +43,10 @@ def _cells(reading: Reading) -> list[str]:
 def _levels(reading: Reading, air: Air) -> list[str]:
     if reading.vertical is None:
         return ["levels: none, drawn at the height 0"]
-    heights = air.heights
+    try:
+        heights = air.heights
+    except UnitsError as problem:
+        return [f"levels: {reading.vertical.kind}, {reading.vertical.dim} {reading.dataset.sizes[reading.vertical.dim]}", f"heights: none. {problem}"]
     return [f"levels: {reading.vertical.kind}, {reading.vertical.dim} {reading.dataset.sizes[reading.vertical.dim]}",
             f"heights: {np.nanmin(heights):.0f} to {np.nanmax(heights):.0f} m, from {air.height_source}"]
 
@@ -50,4 +57,5 @@ def _times(reading: Reading, dataset) -> str:
 
 
 def _roles(reading: Reading) -> list[str]:
-    return [f"{ROLES[role].meaning}: {name!r}" + (f" ({units})" if (units := reading.dataset[name].attrs.get("units")) else "") for role, name in reading.roles.items()]
+    return [f"{ROLES[role].meaning}: {name!r}" + (f" ({units})" if (units := reading.dataset[name].attrs.get("units")) else "") + ("" if reading.has(role) else ", left out")
+            for role, name in reading.roles.items()]

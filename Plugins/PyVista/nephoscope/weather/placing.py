@@ -17,7 +17,7 @@ from .air import Air
 from .horizontal import GridError
 from .look import note_look
 from .reading import Reading
-from .units import simple
+from .units import UnitsError, simple
 from .winds import winds
 
 NEAR = 1.0  # m: points that much below the ground are on it, such as a level at the ground
@@ -130,7 +130,18 @@ def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
     missing = [name for name in wanted if name not in fields]
     if missing:
         raise ValueError(f"variables: {listed(missing)} not on the grid. There are: {listed(fields)}.")
-    return wanted
+    return _with_usable_units(reading, wanted, variables is not None)
+
+
+def _with_usable_units(reading: Reading, names: list[str], asked: bool) -> list[str]:
+    """`names` without the variables whose units cannot be converted, with a warning; if they are asked for, or nothing else is there, UnitsError."""
+    reading.has_winds()  # they are read in any case
+    gone = {reading.roles[role]: problem for role, problem in reading.unusable.items() if reading.roles[role] in names}
+    if gone and (asked or len(gone) == len(names)):
+        raise UnitsError(next(iter(gone.values())))
+    for name, problem in gone.items():
+        warnings.warn(f"{name!r} is left out. {problem}", UserWarning, stacklevel=level_of_caller())
+    return [name for name in names if name not in gone]
 
 
 def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:

@@ -16,12 +16,14 @@ from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import to_centres
 from .times import choose_time, is_member, time_dims
-from .units import converted, in_fractions
+from .units import UnitsError, converted, in_fractions, knows, plain
 from .vertical import VerticalError, find_vertical, level_values, pressure_of_level
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
 
 UNDECLARED = np.array([-9999.0, -99999.0, -999.0, -32767.0, -32768.0])  # fill values that a file does not declare, impossible in the air
+PLACING = {"altitude", "thickness", "geopotential_height", "geopotential", "pressure", "pressure_thickness", "surface_pressure", "log_surface_pressure", "terrain",
+           "surface_geopotential", "w"}  # roles whose units must be right in any picture; the wind along z says itself when it is left out
 KINDS = "fiubm"  # of arrays that can be fields: numbers, booleans and durations
 
 
@@ -46,6 +48,7 @@ class Reading:
 
     def __init__(self, dataset, *, time=None, vertical: str | None = None, names: dict | None = None) -> None:
         self.notes: list[str] = []
+        self.unusable: dict[str, str] = {}  # role -> the problem with the units of its variable
         refuse_empty(dataset)
         self.times = time_dims(dataset)
         self.dataset, self.time_text = choose_time(dataset, self.times, time)
@@ -175,7 +178,35 @@ class Reading:
     # Values
 
     def has(self, role: str) -> bool:
-        return role in self.roles
+        """True if a variable has this role. One that was found, not asked for, is left out with a note if its units cannot be converted."""
+        if role not in self.roles or role in self.unusable:
+            return False
+        problem = "" if role in PLACING or self._asked.get(role) else self._problem(role)
+        if problem:
+            self.unusable[role] = problem
+            self.note(f"{self.roles[role]!r} is left out. {problem}")
+        return not problem
+
+    def has_winds(self) -> bool:
+        """True if there is a wind along the ground. One component alone is a field like others."""
+        return {"u", "v"} <= set(self.roles) and all([self.has("u"), self.has("v")])
+
+    def _problem(self, role: str) -> str:
+        """What is wrong with the units of a role, "" if they can be converted. Values are loaded only where there are no units."""
+        variable = self.dataset[self.roles[role]]
+        if plain(variable.attrs.get("units")) and knows(variable.attrs["units"], quantity_of(ROLES[role], variable) or ROLES[role].quantities[0]):
+            return ""
+        try:
+            self.role_as(role)
+        except UnitsError as problem:
+            return str(problem)
+        return ""
+
+    def refuse_unusable(self, *roles: str) -> None:
+        """Raises UnitsError for the first of these roles whose variable is left out."""
+        problem = next((self.unusable[role] for role in roles if role in self.roles and not self.has(role)), None)
+        if problem:
+            raise UnitsError(problem)
 
     def values(self, name: str) -> np.ndarray:
         """Values with the available dimensions of (levels, rows, columns), at the centres, in the units of the file."""

@@ -32,7 +32,7 @@ def along_grid(reading) -> bool:
 
 def winds(reading, air: Air) -> tuple[list[np.ndarray], list[str]]:
     """[u, v] or [u, v, w], and the names of their variables; empty lists if a horizontal wind is missing."""
-    if not (reading.has("u") and reading.has("v")):
+    if not reading.has_winds():
         return [], []
     u, v = reading.role("u"), reading.role("v")
     if along_grid(reading) and not reading.horizontal.is_regular:
