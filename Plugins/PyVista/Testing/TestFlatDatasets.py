@@ -93,6 +93,13 @@ class FlatDatasets(unittest.TestCase):
         dataset = dataset.assign_coords(xh=("ni", X / 1000, {"units": "km"}), yh=("nj", Y / 1000, {"units": "km"}), zh=("nk", Z / 1000, {"units": "km"}))
         self.check_places(dataset.nephoscope.grid())
 
+    def test_heights_of_other_names(self):
+        for name in ("alt", "msl", "agl", "levels_of_radar"):
+            with self.subTest(name):
+                self.check_places(simulation().rename(z=name).nephoscope.grid())
+        with self.assertRaisesRegex(GridError, "'diameter', whose coordinate is 'diameter' .m., which is not known to be a length along x, y or z"):
+            simulation().rename(z="diameter").nephoscope.grid()
+
     def test_named_axes(self):
         dataset = simulation().drop_vars([*"xyz"]).rename(x="a", y="b", z="c").assign_coords(width=("a", X, {"units": "m"}))
         for call in (dataset.nephoscope.plot, lambda: nephoscope.add_cells(self.plotter(), dataset.ql), dataset.nephoscope.grid):

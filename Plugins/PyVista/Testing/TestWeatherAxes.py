@@ -60,6 +60,29 @@ class Axes(unittest.TestCase):
                 height = np.asarray(grid["Height"]).reshape(grid.dimensions[::-1])
                 self.assertGreater(np.diff(height, axis=0).min(), 1000)
 
+    def test_heights_by_their_units(self):
+        """Under any name that is not one of another axis, also if the dataset has 4-D fields."""
+        for name, units, factor in (("alt", "km", 1000), ("alt_km", "km", 1000), ("msl", "ft", 0.3048), ("agl", "m", 1), ("tangent", "m", 1)):
+            dataset = marked(np.arange(0, 40, 5.0), LAT, (100000.0, 50000.0, 20000.0))[["q"]].rename(plev=name).assign_coords({name: (name, [10.0, 20, 50], {"units": units})})
+            with self.subTest(name), warnings.catch_warnings():
+                warnings.simplefilter("error")
+                self.assertIn(f"levels: height{' above ground' * (name == 'agl')}, {name} 3", dataset.nephoscope.describe())
+                grid = dataset.nephoscope.globe()
+                radii = np.unique(np.round(np.linalg.norm(grid.points, axis=1) - 6371000, 1))
+                np.testing.assert_allclose(radii, np.array([10.0, 20, 50]) * factor, atol=0.06)
+
+    def test_lengths_of_another_meaning(self):
+        for name in ("wavelength", "diameter", "x"):
+            dataset = marked(np.arange(0, 40, 5.0), LAT)[["q"]].rename(plev=name).assign_coords({name: (name, [10.0, 20], {"units": "m"})})
+            with self.subTest(name), self.assertRaisesRegex(ValueError, "No vertical axis.*units of pressure or length"):
+                dataset.nephoscope.globe()
+
+    def test_heights_of_the_thermosphere(self):
+        """The advice works: it names the unit of the dataset, not an argument that datasets do not have."""
+        dataset = marked(np.arange(0, 40, 5.0), LAT)[["q"]].rename(plev="alt").assign_coords(alt=("alt", [100.0, 800], {"units": "km"}))
+        with self.assertWarnsRegex(RuntimeWarning, r"implausible on Earth. If they are in another unit, name it: ds\['NAME'\].attrs\['units'\] = 'km'"):
+            dataset.nephoscope.globe()
+
     def test_missing_lines_are_holes(self):
         whole, lat = np.arange(0, 360, 10.0), np.arange(-85, 90, 10.0)
         for longitude, latitude, text in ((np.r_[whole[:25], whole[30:]], lat, "'lon' jumps from 240 to 300"), (np.delete(whole, 20), lat, "'lon' jumps from 190 to 210"),

@@ -23,7 +23,9 @@ UPWARD = ("wa", "W")  # in m/s, unless their units say otherwise
 SPEED, OMEGA = ("ms-1", "m/s"), ("pas-1", "pa/s")
 HEIGHTS = ("m2s-2", "m2/s2", "m", "gpm")  # units of an array "z" that gives heights
 # Terms in messages of vtkGlobeGrid, and their names in Python.
-_NAMES = {"set the wind array names to those of the input": "name those of the input by wind", "HeightArrayName": "height",
+_NAMES = {"Set HeightUnits if 'geometric_height' is a geopotential (m2 s-2) or in kilometres, or choose another HeightArrayName":  # the array of datasets
+          "If they are in another unit, name it: ds['NAME'].attrs['units'] = 'km'; dataset.nephoscope.describe() tells what they come from",
+          "set the wind array names to those of the input": "name those of the input by wind", "HeightArrayName": "height",
           "HeightUnits": "height_units", "LevelUnits": "level_units", "WindComponents": "wind_components",
           "set WindComponents to Along Grid; else set it to East And North": "pass wind_components='along-grid', else 'east-north'",
           "switch VerticalWindIsOmega off": "pass vertical_wind_is_omega=False",

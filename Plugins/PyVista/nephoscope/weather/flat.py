@@ -20,13 +20,13 @@ from .reading import KINDS, refuse_empty
 from .roles import ROLES, candidates, quantity_of
 from .times import choose_time, is_member, time_dims
 from .units import UNITS, in_fractions, plain
-from .vertical import DEPTHS, is_depth
+from .vertical import DEPTHS, HEIGHTS, find_lengths, is_depth
 
 LENGTHS = UNITS["height"][1]
 _USUAL = re.compile(r"([xyz])[a-z]?")  # x, xt, xm, xh, xf, xc, xu, zn: names of centres and of faces
 _LONGER = re.compile(r"([xyz])[a-z]?([_\d]\w*)?")  # zu_3d, x_stag
 _WORDS = {"x": ("east", "easting", "eastward", "west_east", "ni", "i"), "y": ("north", "northing", "south_north", "nj", "j"),
-          "z": ("height", "altitude", "lev", "level", "levels", "depth", "bottom_top", "vertical", "nk", "k")}
+          "z": (*HEIGHTS, "height", "altitude", "lev", "level", "levels", "depth", "bottom_top", "vertical", "nk", "k")}
 
 
 @dataclass
@@ -168,6 +168,8 @@ class Flat:
                 rest.append(dim)
             else:
                 found[letter] = dim, coordinate
+        if "z" not in found and {"x", "y"} <= set(found) and find_lengths(self.dataset, rest) == rest and len(rest) == 1:
+            found["z"], rest = (rest[0], self.dataset[rest[0]]), []
         if rest:
             raise GridError(self._no_length(name, rest, found))
         return {letter: found[letter] for letter in "xyz" if letter in found}

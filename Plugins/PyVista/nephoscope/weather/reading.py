@@ -17,7 +17,7 @@ from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import to_centres
 from .times import choose_time, is_member, time_dims
 from .units import UnitsError, converted, in_fractions, knows, plain
-from .vertical import VerticalError, find_vertical, level_values, pressure_of_level
+from .vertical import VerticalError, find_lengths, find_vertical, level_values, pressure_of_level
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
 
@@ -98,9 +98,11 @@ class Reading:
             self.vertical = find_vertical(self.dataset, full[:1] or [best], None)
             if self.vertical.kind == "levels" and self.dataset.sizes[self.vertical.dim] == 1:  # a level without information
                 self.dataset, self.vertical = self.dataset.isel({self.vertical.dim: 0}), None
+        elif len(lengths := find_lengths(self.dataset, [str(dim) for dim in dims if not self._is_horizontal(dim)])) == 1:
+            self.vertical = find_vertical(self.dataset, lengths, lengths[0])
         elif any(variable.ndim > 2 and not all(map(self._is_horizontal, variable.dims)) for _, variable in self._numbers()):
             raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
-                                "levels, units of pressure, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one index along the "
+                                "levels, units of pressure or length, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one index along the "
                                 "dimension that is not vertical: "
                                 f"ds.isel({self._unplaced(dims)}=0). If the axes are lengths, the data are flat: ds.nephoscope.grid(x='...', y='...', z='...').")
 

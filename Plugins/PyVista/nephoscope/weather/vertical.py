@@ -12,8 +12,10 @@ from .._checks import listed
 from .units import UNITS, converted, knows, plain
 
 OCEAN = ("ocean_sigma_coordinate", "ocean_s_coordinate_g1", "ocean_s_coordinate_g2")
+HEIGHTS = ("alt", "altitudes", "alt_km", "altitude_km", "height_km", "heights", "hgt", "msl", "amsl", "asl", "agl")  # names of axes of heights besides height and altitude
 _NAMES = ("lev", "level", "levels", "plev", "pressure", "pressure_level", "model_level", "model_level_number", "bottom_top", "bottom_top_stag", "hybrid", "z", "height", "altitude",
-          "isobaric", "height_2", "nvertlevels", "nvertlevelsp1", "depth", "sigma", "ilev", "lev_2", "lv_isbl0", "level_pressure", "height_above_ground", "generalverticallayer", "levels_number")
+          "isobaric", "height_2", "nvertlevels", "nvertlevelsp1", "depth", "sigma", "ilev", "lev_2", "lv_isbl0", "level_pressure", "height_above_ground", "generalverticallayer", "levels_number", *HEIGHTS)
+_ACROSS = re.compile(r"[xyij]|[xyn][a-z]?\d*|[xy]_?\w{0,3}|n[ij]|\w*(east|west|north|south|row|col|lon|lat)\w*|range|distance|along|across|wavelength|diameter|radius|size|bins?")
 DEPTHS = re.compile(r"depths?(_?[tuvw])?(_\d+)?|dep|depth_(below_sea|of_level)|s[tw](_edges)?_ocean|olevel|nav_lev|gdep[tw](_\w+)?|elevation_below_sea_level")  # names of axes that point downwards
 _SEA = re.compile(r"sea_water|^ocean_|sea_ice")  # standard names of fields of an ocean
 SEA_PRESSURES = ("sea_water_pressure", "sea_water_pressure_due_to_sea_water")
@@ -58,6 +60,12 @@ def _score(dataset, dim: str) -> int | None:
     if any(plain(variable.attrs.get("units")) in UNITS["pressure"][1] for variable in variables if variable.name == dim or variable.name in dataset.coords):
         return 2
     return 3 if str(dim).lower() in _NAMES or DEPTHS.fullmatch(str(dim).lower()) or re.fullmatch(r"z_[twli](_top|_bot|_\d+m)?", str(dim).lower()) or _is_sigma(dataset, dim) or re.fullmatch(r"(height|lev|level|plev|isobaric|z|lv_\w+)_?\d*", str(dim).lower()) else None
+
+
+def find_lengths(dataset, dims: list[str]) -> list[str]:
+    """The dimensions whose own coordinate is a length and has no other meaning: heights, if nothing else is vertical."""
+    return [dim for dim in dims if dim in dataset.variables and dataset[dim].dtype.kind in "fiu" and plain(dataset[dim].attrs.get("units")) and knows(dataset[dim].attrs["units"], "height")
+            and not dataset[dim].attrs.get("standard_name") and str(dataset[dim].attrs.get("axis", "Z")).upper() == "Z" and not _ACROSS.fullmatch(str(dim).lower())]
 
 
 def _coordinates(dataset, dim: str):
@@ -132,7 +140,7 @@ def _kind(dataset, variable) -> str | None:
         return "depth"
     if units is not None and plain(units) and knows(units, "height") and np.max(variable.values, initial=-np.inf) <= 0 and np.min(variable.values, initial=0) < 0:
         return "depth"  # of an ocean, upwards
-    if standard == "height":
+    if standard == "height" or not standard and str(variable.name).lower() == "agl" and plain(units) and knows(units, "height"):
         return "height above ground"
     if standard in ("altitude", "height_above_mean_sea_level"):
         return "height"
