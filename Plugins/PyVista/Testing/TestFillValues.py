@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Values that look like fill values are told once, with array, share and remedies that work; other values are not."""
+import itertools
+import os
 import re
 import tempfile
 import unittest
@@ -12,6 +14,7 @@ import numpy as np
 import pyvista
 import xarray
 
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
 ADDERS = (nephoscope.add_cells, nephoscope.add_splats)
 
 
@@ -100,6 +103,25 @@ class FillValues(unittest.TestCase):
             self.assertEqual(len(told), 1, told)
             remedy = re.search("Mask them: (.*); or", told[0])[1]
             self.assertLess(float(eval(remedy, {"dataset": data}).max()), 1.001)
+
+    def test_declared_ones_are_masked(self):
+        """On flat grids as on globes, before values on faces are averaged, in every type and unit."""
+        axes = {"z": (3, "m"), "y": (8, "m"), "x": (8, "m"), "xh": (9, "m"), "lat": (8, "degrees_north"), "lon": (8, "degrees_east")}
+        coords = {dim: (dim, 5.0 * np.arange(size) - 2.5 * (dim == "xh"), {"units": unit}) for dim, (size, unit) in axes.items()}
+        kinds = (("f4", "m", 7777, {"_FillValue": 7777.0}), ("f8", "m", -777, {"missing_value": [-777, 0.1]}), ("i2", "m", 77, {"missing_value": 77}), ("i2", "oktas", 9, {"_FillValue": 9}))
+        for dims, (kind, unit, fill, declared) in itertools.product((("z", "lat", "lon"), ("z", "y", "x"), ("z", "y", "xh"), ("y", "x")), kinds):
+            values = np.full([axes[dim][0] for dim in dims], 2, kind)
+            values[..., 3, 3] = fill
+            data = xarray.Dataset({"q": (dims, values, {"units": unit, **declared})}, {dim: coords[dim] for dim in dims})
+            if "xh" in dims:
+                data = data.assign_coords(x=coords["x"]).assign({name: (("z", "y", "x"), np.ones((3, 8, 8))) for name in ("a", "b")})
+            with self.subTest(dims=dims, kind=kind, unit=unit), warnings.catch_warnings():
+                warnings.simplefilter("error")
+                found = np.asarray(data.nephoscope.mesh()["q"], float)
+                self.assertEqual(np.isnan(found).sum(), (2 if "xh" in dims else 1) * (3 if "z" in dims else 1))
+                np.testing.assert_allclose(found[np.isfinite(found)], 0.25 if unit == "oktas" else 2)
+                if dims == ("z", "y", "x"):
+                    data.nephoscope.plot("q", screenshot=str(OUTPUT / "declared_fill_values.png"), window_size=(60, 60))
 
 
 if __name__ == "__main__":

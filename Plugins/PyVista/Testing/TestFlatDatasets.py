@@ -242,7 +242,7 @@ class FlatDatasets(unittest.TestCase):
     def test_films_take_the_look_of_plots(self):
         series = xr.concat([simulation(), simulation() * 2], "time").assign_coords(time=[0.0, 60.0])
         series["ql"].attrs["units"] = "kg/kg"
-        for its in (series, series.isel(z=4)):
+        for its in (series, series.isel(z=4), series.isel(y=4), series.isel(x=4)):
             plotter = pyvista.Plotter(off_screen=True, window_size=(120, 100))
             self.addCleanup(plotter.close)
             film = nephoscope.animate(plotter, its, "ql", clim=(0, 3e-3), cmap="viridis", opacity=0.5)

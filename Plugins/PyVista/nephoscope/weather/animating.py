@@ -166,8 +166,10 @@ def _first_picture(series: Series, name: str, look: dict) -> Callable:
     from .flat_picture import draw_flat
     from .picture import draw as draw_globe
     from .picture import refuse_sections
-    refuse_sections(series.mesh)
-    draw = draw_globe if "GlobeGridProjection" in series.mesh.field_data else draw_flat
+    on_earth = "GlobeGridProjection" in series.mesh.field_data
+    if on_earth:
+        refuse_sections(series.mesh)
+    draw = draw_globe if on_earth else draw_flat
     return lambda plotter, mesh: draw(plotter, mesh, name, look, lambda array: title(series._dataset, mesh, array))
 
 

@@ -19,7 +19,7 @@ from .projections import find_lost_projection, mapping_of
 from .reading import KINDS, refuse_empty
 from .roles import ROLES, candidates, quantity_of
 from .times import choose_time, is_member, time_dims
-from .units import UNITS, in_fractions, plain
+from .units import UNITS, in_fractions, plain, without_fill_values
 from .vertical import DEPTHS, HEIGHTS, find_lengths, is_depth
 
 LENGTHS = UNITS["height"][1]
@@ -264,7 +264,7 @@ class Flat:
         if name in self.profiles.values():
             return self._profile(name)
         dims = [self.axes[letter].dim for letter in "zyx" if letter in self.axes]
-        array, note = to_centres(self.dataset, self.dataset[name], dims)
+        array, note = to_centres(self.dataset, without_fill_values(self.dataset[name]), dims)
         if note and note not in self.notes:
             self.notes.append(note)
         found = np.asarray(array.transpose(*dims).values)
@@ -274,6 +274,6 @@ class Flat:
 
     def _profile(self, name: str) -> np.ndarray:
         from .stagger import to_centres
-        array, _ = to_centres(self.dataset, self.dataset[name], [self.axes["z"].dim])
+        array, _ = to_centres(self.dataset, without_fill_values(self.dataset[name]), [self.axes["z"].dim])
         shape = [len(self.axes[letter].values) if letter in self.axes else 1 for letter in "zyx"]
         return np.broadcast_to(np.asarray(array.values)[self.axes["z"].order].reshape(-1, 1, 1), shape)

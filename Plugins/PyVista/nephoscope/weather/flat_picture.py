@@ -13,7 +13,7 @@ from .._medium import association_of, default_scalars
 from .bars import finish_bars, make_room
 from .exaggeration import say
 from .look import surface_look
-from .picture import BESIDE, refuse_volume
+from .picture import BESIDE, refuse_volume, without_missing
 from .sections import unrolled
 from .view import PicturePlotter, set_view
 
@@ -25,6 +25,7 @@ WIDE, HIGH = 0.66, 0.78  # of the picture, for a section beside its labels and t
 def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
                  window_size: Sequence[int] = (800, 800), view: Any = None) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
+    grid = without_missing(grid, scalars)
     plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
     draw_flat(plotter, grid, scalars, options, title)
     if view is not None:

@@ -31,14 +31,14 @@ def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, 
             window_size: Sequence[int] = (800, 800), view: Any = None) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
     refuse_sections(grid)
-    grid = _without_missing(grid, scalars)
+    grid = without_missing(grid, scalars)
     plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
     draw(plotter, grid, scalars, options, title, view)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
 
 
-def _without_missing(grid: pyvista.DataSet, scalars: str | None) -> pyvista.DataSet:
+def without_missing(grid: pyvista.DataSet, scalars: str | None) -> pyvista.DataSet:
     """`grid` with the points or cells hidden that have no value, such as land in an ocean: there is nothing to warn of."""
     name = default_scalars(grid)[1] if scalars is None else scalars
     for data, hidden in ((grid.point_data, HIDDEN_POINT), (grid.cell_data, HIDDEN_CELL)):

@@ -16,7 +16,7 @@ from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import to_centres
 from .times import choose_time, is_member, time_dims
-from .units import UnitsError, converted, in_fractions, knows, plain
+from .units import UnitsError, converted, in_fractions, knows, plain, without_fill_values
 from .vertical import VerticalError, find_lengths, find_vertical, level_values, pressure_of_level
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
@@ -212,7 +212,7 @@ class Reading:
 
     def values(self, name: str) -> np.ndarray:
         """Values with the available dimensions of (levels, rows, columns), at the centres, in the units of the file."""
-        array = self.dataset[name]
+        array = without_fill_values(self.dataset[name])
         wanted = [dim for dim in ((self.vertical.dim,) if self.vertical else ()) + self.horizontal.dims]
         array, note = to_centres(self.dataset, array, wanted)
         self.note(note)

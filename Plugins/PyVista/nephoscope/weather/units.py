@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Converts units of weather data to those of this package."""
+"""Converts units of weather data to those of this package, and masks the fill values that a variable declares."""
 from __future__ import annotations
 
 import re
@@ -37,6 +37,7 @@ _PLAUSIBLE = {"temperature": (90, 400), "pressure": (0, 1.2e5), "height": (-1000
               "mass fraction": (-0.01, 0.1), "fraction": (-0.1, 1.5), "log pressure": (8, 12)}
 
 
+FILLS = ("_FillValue", "missing_value")  # attributes
 PARTS = {text for text, factor in UNITS["fraction"][1].items() if factor in (0.125, 0.1)}  # of the sky
 
 
@@ -89,6 +90,18 @@ def converted(values: np.ndarray, units: object, quantity: str, name: str) -> tu
     return values * values.dtype.type(factor) + values.dtype.type(added), f"{name!r}: {units} converted to {target}"
 
 
+def without_fill_values(variable):
+    """`variable` with NaN for the values that its attributes call _FillValue and missing_value. xarray does this when it decodes a file, but not for attributes that were set later."""
+    declared = [np.ravel(variable.attrs[key]) for key in FILLS if key in variable.attrs]
+    numbers = [values.astype(float) for values in declared if values.dtype.kind in "fiu"]
+    if not numbers or variable.dtype.kind not in "fiu":
+        return variable
+    fills = np.concatenate(numbers)
+    if variable.dtype.kind == "f":
+        fills = fills[np.isfinite(fills)].astype(variable.dtype)
+    return variable.where(~variable.isin(fills))
+
+
 def in_fractions(dataset):
     """`dataset` with amounts of cloud in oktas or tenths as fractions, and notes about them."""
     notes = []
@@ -96,7 +109,7 @@ def in_fractions(dataset):
         if plain(variable.attrs.get("units")) in PARTS and variable.dtype.kind in "fiu":
             factor = UNITS["fraction"][1][plain(variable.attrs["units"])]
             notes.append(f"{str(name)!r}: {variable.attrs['units']} converted to fractions of 1")
-            dataset = dataset.assign({name: (variable * np.float32(factor)).assign_attrs({**variable.attrs, "units": "1"})})
+            dataset = dataset.assign({name: (without_fill_values(variable) * np.float32(factor)).assign_attrs({**{key: value for key, value in variable.attrs.items() if key not in FILLS}, "units": "1"})})
     return dataset, notes
 
 
