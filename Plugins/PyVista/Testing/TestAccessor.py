@@ -46,6 +46,15 @@ class Methods(unittest.TestCase):
         self.assertEqual(list(inspect.signature(method).parameters), expected)
         self.assertEqual(method.__doc__, nephoscope.to_globe.__doc__)
 
+    def test_what_else_draws_is_told(self):
+        mesh = pyvista.ImageData(dimensions=(2, 2, 2))
+        for call, words in ((lambda: mesh.nephoscope.plot("T"), r"no attribute 'plot'.*nephoscope.add_cells\(plotter, mesh, ...\)"),
+                            (lambda: mesh.nephoscope.add_splats(), r"nephoscope.add_splats\(plotter, mesh, ...\)"),
+                            (lambda: nephoscope.plot, r"no attribute 'plot'.*nephoscope.open\(path\).nephoscope.plot\(...\).*nephoscope.add_cells"),
+                            (lambda: nephoscope.describe, r"described by nephoscope.open\(path\).nephoscope.describe\(\)"),
+                            (lambda: mesh.nephoscope.nothing, "'NephoscopeAccessor' object has no attribute 'nothing'$")):
+            self.assertRaisesRegex(AttributeError, words, call)
+
     def test_one_vtk_in_the_process(self):
         maps = Path("/proc/self/maps").read_text().splitlines()
         libraries = {line.split()[-1] for line in maps if "libvtkCommonCore" in line}

@@ -154,6 +154,21 @@ class Accepted(Cells):
             self.add(opacity=0)  # as the user wants
             self.add(clim=(1, 6))
 
+    def test_values_beyond_the_range_are_told(self):
+        """They make one opaque block; the range of a field that merely leaves it is not told."""
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            for options, told in (({"clim": (-10, -5)}, r"colour and the opacity of the upper end: the array 'x' is 0 to 2, all above clim, -10 to -5. Choose another clim"),
+                                  ({"clim": (5, 6), "opacity": "linear_r"}, r"colour and the opacity of the lower end: the array 'x' is 0 to 2, all below clim, 5 to 6"),
+                                  ({"opacity_scalars": "y", "opacity_clim": (-9, -1)}, r"opacity of the upper end: the array 'y' is 0 to 2, all above opacity_clim")):
+                with self.subTest(add=add.__name__, told=told), self.assertWarnsRegex(UserWarning, "The whole grid will have the " + told):
+                    mesh = cube()
+                    mesh["y"] = mesh.points[:, 1]
+                    add(self.plotter, mesh, "x", **options)
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                for options in ({"clim": (-1, 0)}, {"clim": (-1, 0.5)}, {"clim": (2, 3), "opacity": 0.5}):
+                    add(self.plotter, cube(), "x", **options)
+
     def test_plotter_knows_the_grid(self):
         grid = cube()
         self.add(grid)

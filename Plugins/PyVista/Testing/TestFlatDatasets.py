@@ -257,6 +257,8 @@ class FlatDatasets(unittest.TestCase):
     def test_small_faults_are_told(self):
         with self.assertRaisesRegex(ValueError, r"no 3-D cells. It is one level or section: .*\.plot\(\)"):
             nephoscope.add_cells(self.plotter(), simulation().isel(z=2), "ql")
+        with self.assertRaisesRegex(AttributeError, r"no attribute 'add_cells'. It is a function of the package: nephoscope.add_cells\(plotter, dataset, ...\)"):
+            simulation().nephoscope.add_cells(self.plotter(), "ql")
         repeated = simulation().isel(z=[0, 1, 1, 2, 3])
         with self.assertWarnsRegex(UserWarning, "'z' repeats values: .* 1 are left out"):
             self.assertEqual(repeated.nephoscope.grid().dimensions[2], 4)

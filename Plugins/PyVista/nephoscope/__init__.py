@@ -118,11 +118,15 @@ def _warn_once_about_accessors(version):
                    "nephoscope.to_globe(mesh, ...).", stacklevel=3)
 
 
+_INSTEAD = {name: f". Data of xarray are drawn by nephoscope.open(path).nephoscope.plot(...){more}, a mesh by nephoscope.add_cells(plotter, mesh, ...)."
+            for name, more in (("plot", ""), ("describe", " and described by nephoscope.open(path).nephoscope.describe()"))}
+
+
 def __getattr__(name):
     if name in VTK_FUNCTIONS:
         return getattr(_importlib.import_module("." + VTK_FUNCTIONS[name], __name__), name)
     if name not in PYVISTA_FUNCTIONS:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}" + _INSTEAD.get(name, ""))
     try:
         import pyvista  # noqa: F401
     except ModuleNotFoundError as missing:

@@ -232,6 +232,17 @@ def _warn_of_transparency(values: np.ndarray, name: str, function: vtkPiecewiseF
                       UserWarning, stacklevel=level_of_caller())
 
 
+def _warn_of_one_opacity(values: np.ndarray, name: str, function: vtkPiecewiseFunction, clim: tuple[float, float], limits: str) -> None:
+    """Warns if all values are beyond the range of the opacities, at an end that is not transparent: the whole grid is a block. `limits`: the argument that gives the range."""
+    finite = np.asarray(values, float)[np.isfinite(values)]
+    low, high = finite.min(), finite.max()
+    side, end = ("above", "upper") if low > clim[1] else ("below", "lower")
+    if (low > clim[1] or high < clim[0]) and function.GetValue(low) > 0:
+        what = "opacity" if limits == "opacity_clim" else "colour and the opacity"
+        warnings.warn(f"The whole grid will have the {what} of the {end} end: the array {name!r} is {low:g} to {high:g}, all {side} {limits}, {clim[0]:g} to {clim[1]:g}. Choose another {limits}.",
+                      UserWarning, stacklevel=level_of_caller())
+
+
 def _refuse_values(grid: pyvista.DataSet, opacity: Any, n_colors: int) -> None:
     """Raises ValueError if `opacity`, a function of the scalars, is an array of the grid or its name; warns if it may be one."""
     if isinstance(opacity, str):
@@ -320,6 +331,8 @@ class Functions:
         read_at = association if self.opacity_scalars is None else association_of(grid, read, preference, "opacity_scalars")
         values = values_over_time(grid, read, read_at, self.component)
         _warn_of_transparency(values, read, prop.GetScalarOpacity(), "clim" if self.opacity_scalars is None else "opacity_clim")
+        if table is not self.cmap:
+            _warn_of_one_opacity(values, read, prop.GetScalarOpacity(), opacity_range or table.scalar_range, "clim" if self.opacity_scalars is None else "opacity_clim")
         if unit_distance is None:
             measured = _ramp(values) if limits_given else prop
             mapper.SetInputData(_with_scalars(densest(grid, read, measured.GetScalarOpacity(), self.component), read, read_at, self.component))

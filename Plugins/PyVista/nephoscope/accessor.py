@@ -35,6 +35,16 @@ def _method(function: Callable[Concatenate[Any, Arguments], Result]) -> Callable
     return method
 
 
+def _instead(name: str) -> str:
+    """What draws a mesh, for the error about a method that only data of xarray have, or about a function of the package."""
+    from . import PYVISTA_FUNCTIONS
+    if name == "plot":
+        return ". It is a method of data of xarray. A mesh is drawn by nephoscope.add_cells(plotter, mesh, ...), one of surfaces by mesh.plot()."
+    if name.startswith("add_") and name in PYVISTA_FUNCTIONS:
+        return f". It is a function of the package: nephoscope.{name}(plotter, mesh, ...)."
+    return ""
+
+
 class NephoscopeAccessor:
     """Nephoscope's filters as methods of a PyVista dataset or MultiBlock.
 
@@ -46,6 +56,10 @@ class NephoscopeAccessor:
 
     def __init__(self, mesh: pyvista.DataSet) -> None:
         self._mesh = mesh
+
+    if not TYPE_CHECKING:  # for which there is nothing but the methods
+        def __getattr__(self, name):
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}" + _instead(name))
 
     globe = _method(to_globe)
     terrain = _method(terrain_surface)

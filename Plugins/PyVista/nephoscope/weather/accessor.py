@@ -40,6 +40,12 @@ class WeatherAccessor:
     def __init__(self, dataset: xarray.Dataset) -> None:
         self._dataset = dataset
 
+    if not TYPE_CHECKING:  # for which there is nothing but the methods
+        def __getattr__(self, name):
+            from .. import PYVISTA_FUNCTIONS
+            function = f". It is a function of the package: nephoscope.{name}(plotter, dataset, ...)." if name.startswith("add_") and name in PYVISTA_FUNCTIONS else ""
+            raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}{function}")
+
     def _understood(self, time, vertical, roles):
         from .air import Air
         from .reading import Reading
