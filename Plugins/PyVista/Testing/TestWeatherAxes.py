@@ -61,8 +61,8 @@ class Axes(unittest.TestCase):
                 self.assertGreater(np.diff(height, axis=0).min(), 1000)
 
     def test_heights_by_their_units(self):
-        """Under any name that is not one of another axis, also if the dataset has 4-D fields."""
-        for name, units, factor in (("alt", "km", 1000), ("alt_km", "km", 1000), ("msl", "ft", 0.3048), ("agl", "m", 1), ("tangent", "m", 1)):
+        """Under any name that is not one of another axis."""
+        for name, units, factor in (("alt", "km", 1000), ("alt_km", "km", 1000), ("msl", "ft", 0.3048), ("agl", "m", 1), ("platform_levels", "m", 1)):
             dataset = marked(np.arange(0, 40, 5.0), LAT, (100000.0, 50000.0, 20000.0))[["q"]].rename(plev=name).assign_coords({name: (name, [10.0, 20, 50], {"units": units})})
             with self.subTest(name), warnings.catch_warnings():
                 warnings.simplefilter("error")

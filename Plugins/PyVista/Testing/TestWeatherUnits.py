@@ -192,6 +192,13 @@ class WithoutUnits(unittest.TestCase):
             self.assertNotIn("Wind", dataset.nephoscope.globe(variables=["cc"]).point_data)
         self.assertRaisesRegex(UnitsError, "'u' has no units", lambda: dataset.nephoscope.globe(derive="wind_speed"))
 
+    def test_wind_of_a_flat_grid(self):
+        dataset = flat("q", units="1")
+        dataset = dataset.assign(u=dataset.q.drop_attrs() + 1e4, v=dataset.q.drop_attrs())
+        with self.assertWarnsRegex(UserWarning, "The array Wind is left out. 'u' has no units"):
+            self.assertEqual(set(dataset.nephoscope.grid().point_data), {"q", "u", "v"})
+        self.assertRaisesRegex(UnitsError, "'u' has no units", lambda: dataset.nephoscope.grid(derive="wind_speed"))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -128,7 +128,7 @@ class Flat:
         self.dataset, self.time_text = choose_time(dataset, time_dims(dataset), time)
         for dim in [str(dim) for dim in self.dataset.sizes if is_member(self.dataset, str(dim))]:
             if self.dataset.sizes[dim] > 1:
-                self._warn(f"{dim!r} has {self.dataset.sizes[dim]} entries; the first was taken. Choose one: ds.isel({dim}=0).")
+                self.warn(f"{dim!r} has {self.dataset.sizes[dim]} entries; the first was taken. Choose one: ds.isel({dim}=0).")
             self.dataset = self.dataset.isel({dim: 0})
         self.dataset = self.dataset.isel({dim: 0 for dim, size in self.dataset.sizes.items() if size == 1 and not _length_of(self.dataset, str(dim))})
         self.dataset, fractions = in_fractions(self.dataset)
@@ -138,7 +138,7 @@ class Flat:
         self.axes = {letter: self._axis(letter, *found) for letter, found in dims.items()}
         self._warn_of_degrees()
 
-    def _warn(self, text: str) -> None:
+    def warn(self, text: str) -> None:
         self.notes.append(text)
         warnings.warn(text, UserWarning, stacklevel=level_of_caller())
 
@@ -205,7 +205,7 @@ class Flat:
         values = -values if down else values
         values, order = np.unique(values, return_index=True)
         if len(order) < coordinate.size:
-            self._warn(f"The coordinate {name!r} repeats values: each is used once, with the first of its entries, and {coordinate.size - len(order)} are left out.")
+            self.warn(f"The coordinate {name!r} repeats values: each is used once, with the first of its entries, and {coordinate.size - len(order)} are left out.")
         return Axis(dim, name, values, order, note)
 
     def _warn_of_degrees(self) -> None:
@@ -215,7 +215,7 @@ class Flat:
             return
         whole = all(np.array_equal(axis.values, np.arange(len(axis.values))) for axis in (x, y))
         if not whole and np.abs(y.values).max() <= 90 and -180 <= x.values[0] and x.values[-1] <= 360 and max(np.ptp(x.values), np.ptp(y.values)) > 2:
-            self._warn(f"{x.name!r} and {y.name!r} have no units: their values are taken as metres. If they are kilometres or degrees, say so: "
+            self.warn(f"{x.name!r} and {y.name!r} have no units: their values are taken as metres. If they are kilometres or degrees, say so: "
                        f"ds[{x.name!r}].attrs['units'] = 'km' or 'degrees_east', ds[{y.name!r}].attrs['units'] = 'km' or 'degrees_north'.")
 
     def names(self) -> list[str]:

@@ -19,7 +19,7 @@ from .naming import UNITS
 from .placing import note_units
 from .roles import ROLES, candidates
 from .times import listed_times
-from .units import converted
+from .units import UnitsError, converted
 
 CLEAR = 1e30  # greater magnitudes are fill values
 
@@ -93,8 +93,12 @@ def _add_wind(mesh: pyvista.DataSet, flat: Flat, stretch: float) -> None:
     names = flat.winds()
     if not names:
         return
-    parts = [np.zeros(mesh.n_points, np.float32) if name is None else
-             converted(_float(flat.values(name)), flat.dataset[name].attrs.get("units"), "speed", name)[0].ravel() for name in names]
+    try:
+        parts = [np.zeros(mesh.n_points, np.float32) if name is None else
+                 converted(_float(flat.values(name)), flat.dataset[name].attrs.get("units"), "speed", name)[0].ravel() for name in names]
+    except UnitsError as problem:
+        flat.warn(f"The array Wind is left out. {problem}")
+        return
     mesh.point_data["Wind"] = np.column_stack(parts)
     note_units(mesh, "Wind", "m s-1")
     if stretch != 1:
