@@ -20,8 +20,8 @@ from nephoscope.viewer_state import View, checked  # noqa: E402
 FORECAST = Path(os.environ["NEPHOSCOPE_DATA"], "forecast_10deg_6h.nc")
 
 
-def image(vectors=True):
-    mesh = pyvista.ImageData(dimensions=(8, 8, 8))
+def image(vectors=True, first=0.0):
+    mesh = pyvista.ImageData(dimensions=(8, 8, 8), origin=(first, 0, 0))
     x, y, z = mesh.points.T
     mesh["q"] = z
     if vectors:
@@ -104,7 +104,7 @@ class Files(unittest.TestCase):
                 ("image.vti", image(), ("cells", "splats", "surface", "winds", "smoke")),
                 ("still.vti", image(vectors=False), ("cells", "splats", "surface")),
                 ("cells.vtu", image().cast_to_unstructured_grid(), ("cells", "splats", "winds", "smoke")),
-                ("blocks.vtm", pyvista.MultiBlock([image(), image().translate((7, 0, 0))]), ("cells", "splats", "winds", "smoke")),
+                ("blocks.vtm", pyvista.MultiBlock([image(), image(first=7.0)]), ("cells", "splats", "winds", "smoke")),
                 ("cellwise.vti", image(vectors=False).point_data_to_cell_data(), ("cells", "splats", "surface")),
                 ("surface.vtp", pyvista.Sphere().elevation(), ("mesh", "splats")),
                 ("bare.vtp", pyvista.Sphere().copy(), ("mesh",)),
