@@ -6,6 +6,7 @@ import unittest
 import nephoscope
 import numpy as np
 import pyvista
+from nephoscope._vectors import _contrasting
 from plotters import PlotterTestCase
 from pyvista.core.errors import MissingDataError
 
@@ -26,6 +27,16 @@ def particles(count=50):
 
 
 class Splats(PlotterTestCase):
+    def test_streaks_stand_out(self):
+        """From the background and from every colour of the medium; orange on white clouds."""
+        for cmap in ("RdBu", "coolwarm", "autumn", "hot", "viridis", "Greens", "gray"):
+            for background in ((0, 0, 0), (0.3, 0.3, 0.3), (1, 1, 1)):
+                colours = pyvista.LookupTable(cmap).values[:, :3] / 255.0
+                chosen = np.array(_contrasting(background, colours))
+                nearest = np.linalg.norm(np.vstack([background, colours]) - chosen, axis=1).min()
+                self.assertGreater(nearest, 0.35, (cmap, background, chosen))
+        self.assertEqual(_contrasting((0, 0, 0), np.ones((256, 3))), pyvista.Color("orangered").float_rgb)
+
     def add(self, mesh=None, scalars="x", **options):
         return nephoscope.add_splats(self.plotter, box() if mesh is None else mesh, scalars, render=False, **options)
 
