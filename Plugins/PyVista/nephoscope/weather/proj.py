@@ -25,7 +25,9 @@ keys = json.loads(sys.stdin.buffer.readline())
 x, y = np.load(io.BytesIO(sys.stdin.buffer.read()))
 crs = pyproj.CRS.from_cf(keys)
 lon, lat = pyproj.Transformer.from_crs(crs, crs.geodetic_crs, always_xy=True).transform(x, y)
-np.save(sys.stdout.buffer, np.stack([lon, lat]))
+made = io.BytesIO()
+np.save(made, np.stack([lon, lat]))
+sys.stdout.buffer.write(made.getvalue())  # numpy asks for the position in a file, and a pipe has none
 """
 
 
