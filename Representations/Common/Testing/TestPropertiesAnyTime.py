@@ -53,7 +53,7 @@ class MapperCase(AnyTime):
 
 
 class Cells(MapperCase, unittest.TestCase):
-    expected = "Triangles and faces are drawn without the contour surfaces"
+    expected = ("Triangles and faces are drawn without the contour surfaces", "No contour surface is seen")
 
     def mapper(self):
         mapper = M()
