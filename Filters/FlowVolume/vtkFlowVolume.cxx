@@ -29,6 +29,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -67,11 +68,6 @@ bool isStill(const nephoscope::FlowField& field)
   });
 }
 
-std::string whyStill(const nephoscope::FlowField& field)
-{
-  return "The flow (array '" + field.Velocity.Name +
-    "') is zero everywhere, so no smoke moves. Choose another array of velocities, or another time.";
-}
 }
 
 nephoscope::FlowVolumeExchange vtkFlowVolume::Exchange() const
@@ -241,6 +237,16 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
   return true;
 }
 
+void vtkFlowVolume::TellOfZero(const nephoscope::FlowField& field, const std::string& where)
+{
+  const bool everywhere = this->Exchange().AllTrue(isStill(field));
+  vtkErrorMacro("The flow (array '"
+    << field.Velocity.Name << "') is zero "
+    << (everywhere
+           ? "everywhere, so no smoke moves. Choose another array of velocities, or another time."
+           : where));
+}
+
 bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
   const nephoscope::VelocityField& velocity, double time, const nephoscope::Vector3& center,
   nephoscope::Vector3& direction)
@@ -259,15 +265,10 @@ bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
   direction = nephoscope::normalized(found);
   if (!(nephoscope::norm(direction) > 0.0))
   {
-    if (this->Exchange().AllTrue(isStill(field)))
-    {
-      vtkErrorMacro(<< whyStill(field));
-      return false;
-    }
-    vtkErrorMacro("The flow (array '"
-      << field.Velocity.Name << "') is zero at the centre of the generating polygon, (" << center[0]
-      << ", " << center[1] << ", " << center[2]
-      << "): move the polygon into the flow, or switch NormalToFlow off.");
+    std::ostringstream where;
+    where << "at the centre of the generating polygon, (" << center[0] << ", " << center[1] << ", "
+          << center[2] << "): move the polygon into the flow, or switch NormalToFlow off.";
+    this->TellOfZero(field, where.str());
     return false;
   }
   return true;
@@ -306,13 +307,7 @@ bool vtkFlowVolume::CheckFlow(
 {
   if (flow.MeanSpeed == 0.0)
   {
-    if (this->Exchange().AllTrue(isStill(field)))
-    {
-      vtkErrorMacro(<< whyStill(field));
-      return false;
-    }
-    vtkErrorMacro("The flow (array '"
-      << field.Velocity.Name << "') is zero at the generating polygon: move it into the flow.");
+    this->TellOfZero(field, "at the generating polygon: move it into the flow.");
     return false;
   }
   if (flow.IsParallel())

@@ -317,6 +317,7 @@ private:
   bool MakeGivenPolygon(const nephoscope::FlowField& field,
     const nephoscope::VelocityField& velocity, double time, vtkPolyData* given, double edge,
     nephoscope::PolygonMesh& polygon);
+  void TellOfZero(const nephoscope::FlowField& field, const std::string& where);
   bool FindDirection(const nephoscope::FlowField& field, const nephoscope::VelocityField& velocity,
     double time, const std::array<double, 3>& center, std::array<double, 3>& direction);
   bool CheckPlace(const nephoscope::FlowField& field, const nephoscope::PolygonMesh& polygon,

@@ -9,11 +9,13 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace nephoscope
 {
@@ -96,6 +98,21 @@ inline double normalizedValue(double value, const double range[2])
 inline float normalized(const ScalarSelection& scalars, vtkIdType tuple, const double range[2])
 {
   return static_cast<float>(normalizedValue(scalarValue(scalars, tuple), range));
+}
+
+/** The values of all tuples; NaN where one is not finite. */
+inline std::vector<float> normalizedScalars(const ScalarSelection& scalars, const double range[2])
+{
+  std::vector<float> values(static_cast<std::size_t>(scalars.Array->GetNumberOfTuples()));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const float s = normalized(scalars, i, range);
+      values[static_cast<std::size_t>(i)] =
+        std::isfinite(s) ? s : std::numeric_limits<float>::quiet_NaN();
+    }
+  });
+  return values;
 }
 
 } // namespace nephoscope

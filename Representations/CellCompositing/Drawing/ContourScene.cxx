@@ -10,31 +10,15 @@
 #include "vtkDataSet.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
-#include "vtkSMPTools.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nephoscope
 {
 namespace
 {
-std::vector<float> normalizedScalars(const ScalarSelection& selection, const double range[2])
-{
-  std::vector<float> scalars(static_cast<std::size_t>(selection.Array->GetNumberOfTuples()));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(scalars.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      const float s = normalized(selection, i, range);
-      scalars[static_cast<std::size_t>(i)] =
-        std::isfinite(s) ? s : std::numeric_limits<float>::quiet_NaN();
-    }
-  });
-  return scalars;
-}
-
 std::vector<float> colorScalars(const CellGeometry& geometry)
 {
   std::vector<float> scalars;

@@ -9,9 +9,6 @@
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
 
-#include <cmath>
-#include <limits>
-
 namespace nephoscope
 {
 namespace
@@ -29,18 +26,6 @@ CellGeometry pointsAround(const double center[3], vtkDataSet* piece)
   }
   return geometry;
 }
-
-std::vector<float> normalizedScalars(vtkDataSet* piece, vtkDataArray* array, const double range[2])
-{
-  std::vector<float> scalars(
-    static_cast<std::size_t>(piece->GetNumberOfPoints()), std::numeric_limits<float>::quiet_NaN());
-  for (std::size_t i = 0; array && range[0] < range[1] && i < scalars.size(); ++i)
-  {
-    const float s = normalized({ array }, static_cast<vtkIdType>(i), range);
-    scalars[i] = std::isfinite(s) ? s : scalars[i];
-  }
-  return scalars;
-}
 }
 
 PieceGradients::PieceGradients(
@@ -48,8 +33,10 @@ PieceGradients::PieceGradients(
 {
   const CellGeometry geometry = pointsAround(center, piece);
   this->Places = findPlaces(geometry);
-  this->Sums =
-    gradientSums(piece, geometry, normalizedScalars(piece, scalars, range), this->Places);
+  const std::vector<float> values = scalars && range[0] < range[1]
+    ? normalizedScalars({ scalars }, range)
+    : std::vector<float>(geometry.Points.size(), 0.0f);
+  this->Sums = gradientSums(piece, geometry, values, this->Places);
 }
 
 vtkSmartPointer<vtkFloatArray> PieceGradients::Solve() const

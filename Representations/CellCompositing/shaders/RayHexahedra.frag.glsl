@@ -140,19 +140,16 @@ int crossCell()
   vec3 left = placeInCell(ringPlace, exit);
   vec3 thirds[2] = vec3[2](mix(entered, left, 1.0 / 3.0), mix(entered, left, 2.0 / 3.0));
   vec2 first = besidePlace(thirds[0]);
-  vec4 contoured = vec4(contoursInCells ? contouredBeside(thirds[0]) : 0.0);
+  float contouredFirst = contoursInCells ? contouredBeside(thirds[0]) : 0.0;
   vec2 second = besidePlace(thirds[1]);
   cellDistances = cubicThrough(vec4(pieceFront.x, first.x, second.x, ringPass.x));
   scalarsInCell = useCellScalars ? vec4(scalarsOfCell.x, 0.0, 0.0, 0.0) : cubicThrough(vec4(pieceFront.y, first.y, second.y, ringPass.y));
   pieces = countPieces(scalarsInCell);
   if (contoursInCells)
   {
-    contoured.x = contouredAt(entered).x;
-    contoured.z = contouredBeside(thirds[1]);
-    contoured.w = contouredAt(left).x;
     placeEntered = entered;
     placeLeft = left;
-    findLayersOfCell(contoured, exit);
+    findLayersOfCell(vec4(contouredAt(entered).x, contouredFirst, contouredBeside(thirds[1]), contouredAt(left).x), exit);
   }
   return exit;
 }
