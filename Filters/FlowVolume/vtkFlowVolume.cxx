@@ -240,11 +240,11 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
 void vtkFlowVolume::TellOfZero(const nephoscope::FlowField& field, const std::string& where)
 {
   const bool everywhere = this->Exchange().AllTrue(isStill(field));
-  vtkErrorMacro("The flow (array '"
-    << field.Velocity.Name << "') is zero "
-    << (everywhere
-           ? "everywhere, so no smoke moves. Choose another array of velocities, or another time."
-           : where));
+  const char* throughout = this->HasTimeSteps()
+    ? "everywhere at the first time: choose a later StartTime, or switch NormalToFlow off."
+    : "everywhere, so no smoke moves. Choose another array of velocities, or another time.";
+  vtkErrorMacro("The flow (array '" << field.Velocity.Name << "') is zero "
+                                    << (everywhere ? throughout : where));
 }
 
 bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,

@@ -164,7 +164,9 @@ class BadSeries(unittest.TestCase):
     def test_polygon(self):
         self.expect("outside the data", series(), Center=(5, 0, 0))
         self.expect("outside the data", series(), Center=(5, 0, 0), NormalToFlow=True)
-        self.expect("zero at the centre", series(velocity=lambda p, t: (0, 0, t)), NormalToFlow=True)
+        self.expect("zero everywhere at the first time", series(velocity=lambda p, t: (0, 0, t)), NormalToFlow=True)
+        shear = series(velocity=lambda p, t: p * (0, 0, 1))
+        self.expect("zero at the centre", shear, Center=(0, 0, 0), NormalToFlow=True)
 
     def test_no_smoke(self):
         self.expect("No smoke has come", series(velocity=lambda p, t: (0, 0, 0)))
