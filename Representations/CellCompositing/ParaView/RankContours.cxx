@@ -4,6 +4,7 @@
 
 #include "DataBlocks.h"
 #include "PieceGradients.h"
+#include "RankExchange.h"
 #include "RankMeasures.h"
 #include "RankPlaces.h"
 #include "VolumetricCells.h"
@@ -30,9 +31,6 @@ struct SumsAtPlace
   Vector3 Where;
   GradientSums Sums;
 };
-constexpr std::size_t numbersPerPlace = 12;
-static_assert(sizeof(SumsAtPlace) == numbersPerPlace * sizeof(double), "sent as numbers");
-constexpr int sumsTag = 26130;
 
 bool holdsOnAll(vtkMultiProcessController* controller, bool mine)
 {
@@ -71,24 +69,6 @@ std::vector<vtkIdType> outerPlaces(vtkDataSet* piece, const PieceGradients& grad
   return places;
 }
 
-void send(vtkMultiProcessController* controller, const std::vector<SumsAtPlace>& sums, int rank)
-{
-  const auto count = static_cast<vtkIdType>(sums.size());
-  controller->Send(&count, 1, rank, sumsTag);
-  controller->Send(reinterpret_cast<const double*>(sums.data()),
-    count * static_cast<vtkIdType>(numbersPerPlace), rank, sumsTag + 1);
-}
-
-std::vector<SumsAtPlace> receive(vtkMultiProcessController* controller, int rank)
-{
-  vtkIdType count = 0;
-  controller->Receive(&count, 1, rank, sumsTag);
-  std::vector<SumsAtPlace> sums(static_cast<std::size_t>(count));
-  controller->Receive(reinterpret_cast<double*>(sums.data()),
-    count * static_cast<vtkIdType>(numbersPerPlace), rank, sumsTag + 1);
-  return sums;
-}
-
 // Adds the sums of the other ranks at the places that this one has too.
 void addThoseOfOthers(
   vtkMultiProcessController* controller, vtkDataSet* piece, PieceGradients& gradients)
@@ -109,26 +89,15 @@ void addThoseOfOthers(
     own[static_cast<std::size_t>(shared.Rank)].push_back(
       { shared.Rounded, gradients.SumsAt(place) });
   }
-  // Pairs of ranks meet in one order everywhere, so that nobody waits for somebody who waits.
-  const int self = controller->GetLocalProcessId();
-  for (int rank = 0; rank < controller->GetNumberOfProcesses(); ++rank)
+  for (const auto& others : tradeRecords(controller, own))
   {
-    if (rank > self)
-    {
-      send(controller, own[static_cast<std::size_t>(rank)], rank);
-    }
-    for (const SumsAtPlace& other :
-      rank == self ? std::vector<SumsAtPlace>() : receive(controller, rank))
+    for (const SumsAtPlace& other : others)
     {
       const auto place = places.find(other.Where);
       if (place != places.end())
       {
         gradients.SumsAt(place->second).Add(other.Sums);
       }
-    }
-    if (rank < self)
-    {
-      send(controller, own[static_cast<std::size_t>(rank)], rank);
     }
   }
 }

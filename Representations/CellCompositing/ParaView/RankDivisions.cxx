@@ -3,6 +3,7 @@
 #include "RankDivisions.h"
 
 #include "ChessboardDivision.h"
+#include "RankPlaces.h"
 #include "TetrahedronSource.h"
 #include "VolumetricCells.h"
 
@@ -20,13 +21,13 @@ namespace nephoscope
 {
 namespace
 {
-/** A point of a surface. Its code is twice the number of its whole among those of all ranks, and 1 more where it is odd. */
-struct SurfacePoint
+/** A point that several ranks have, rounded. Its code is twice the number of its whole among those of all ranks, and 1 more where it is odd. */
+struct SharedPoint
 {
   double X, Y, Z, Code;
 };
 
-bool atOnePlace(const SurfacePoint& a, const SurfacePoint& b)
+bool atOnePlace(const SharedPoint& a, const SharedPoint& b)
 {
   return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
 }
@@ -54,39 +55,47 @@ std::pair<int, int> countWholes(vtkMultiProcessController* controller, int mine)
     std::accumulate(counts.begin(), counts.end(), 0) };
 }
 
-std::vector<SurfacePoint> surfacePoints(
+std::vector<SharedPoint> sharedPoints(
   vtkUnstructuredGrid* cells, ChessboardColors& colors, int firstWhole)
 {
-  std::vector<SurfacePoint> points;
+  std::vector<Vector3> places;
+  std::vector<double> codes;
   for (const vtkIdType number : pointsOfSurface(cells))
   {
     const auto color = colors.ColorOf(number);
-    double x[3];
-    cells->GetPoint(number, x);
+    Vector3 x;
+    cells->GetPoint(number, x.data());
     if (color.first >= 0 && std::isfinite(x[0] + x[1] + x[2]))
     {
-      points.push_back({ x[0], x[1], x[2], 2.0 * (firstWhole + color.first) + color.second });
+      places.push_back(x);
+      codes.push_back(2.0 * (firstWhole + color.first) + color.second);
     }
+  }
+  std::vector<SharedPoint> points;
+  for (const SharedPlace& shared : placesOfSeveralRanks(places))
+  {
+    const Vector3& x = shared.Rounded;
+    points.push_back({ x[0], x[1], x[2], codes[shared.Index] });
   }
   return points;
 }
 
-std::vector<SurfacePoint> pointsOfAll(
-  vtkMultiProcessController* controller, const std::vector<SurfacePoint>& mine)
+std::vector<SharedPoint> pointsOfAll(
+  vtkMultiProcessController* controller, const std::vector<SharedPoint>& mine)
 {
   vtkNew<vtkDoubleArray> own, all;
-  own->SetArray(reinterpret_cast<double*>(const_cast<SurfacePoint*>(mine.data())),
+  own->SetArray(reinterpret_cast<double*>(const_cast<SharedPoint*>(mine.data())),
     static_cast<vtkIdType>(4 * mine.size()), 1);
   controller->AllGatherV(own, all);
-  std::vector<SurfacePoint> points(static_cast<std::size_t>(all->GetNumberOfValues() / 4));
+  std::vector<SharedPoint> points(static_cast<std::size_t>(all->GetNumberOfValues() / 4));
   std::copy(all->Begin(), all->End(), reinterpret_cast<double*>(points.data()));
   return points;
 }
 
 // False where a point would have to have both colours.
-bool joinRanks(std::vector<SurfacePoint>& points, ColoredParts& wholes)
+bool joinRanks(std::vector<SharedPoint>& points, ColoredParts& wholes)
 {
-  std::sort(points.begin(), points.end(), [](const SurfacePoint& a, const SurfacePoint& b) {
+  std::sort(points.begin(), points.end(), [](const SharedPoint& a, const SharedPoint& b) {
     return std::tie(a.X, a.Y, a.Z, a.Code) < std::tie(b.X, b.Y, b.Z, b.Code);
   });
   bool fits = true;
@@ -145,8 +154,8 @@ vtkSmartPointer<vtkUnsignedCharArray> rankDivisions(
   {
     wholes.Add();
   }
-  std::vector<SurfacePoint> points =
-    pointsOfAll(controller, surfacePoints(cells, colors, counts.first));
+  std::vector<SharedPoint> points =
+    pointsOfAll(controller, sharedPoints(cells, colors, counts.first));
   return joinRanks(points, wholes)
     ? colors.MakeDivisions(oddWholes(wholes, counts.first, colors.CountWholes()))
     : noDivisions(cells);

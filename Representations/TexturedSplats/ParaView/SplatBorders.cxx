@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatBorders.h"
 
+#include "RankExchange.h"
 #include "SplatOwners.h"
 
 #include "vtkCellType.h"
@@ -25,8 +26,6 @@ namespace nephoscope
 namespace
 {
 using Flags = std::vector<unsigned char>;
-
-constexpr int cellTag = 26114;
 
 vtkMultiProcessController* allRanks()
 {
@@ -83,39 +82,12 @@ void forEachPoint(int type, vtkIdType* ids, vtkIdType count, const Visit& visit)
   }
 }
 
-// Cells on their way to another rank: type, length and description of each, and the places of their points.
-struct Parcel
+// Cells on their way between ranks, by rank: type, length and description of each, and the places of their points.
+struct Parcels
 {
-  std::vector<vtkIdType> Cells;
-  std::vector<double> Places;
+  std::vector<std::vector<vtkIdType>> Cells;
+  std::vector<std::vector<double>> Places;
 };
-
-void send(const Parcel& parcel, int rank)
-{
-  const vtkIdType sizes[2] = { static_cast<vtkIdType>(parcel.Cells.size()),
-    static_cast<vtkIdType>(parcel.Places.size()) };
-  allRanks()->Send(sizes, 2, rank, cellTag);
-  if (sizes[0] > 0)
-  {
-    allRanks()->Send(parcel.Cells.data(), sizes[0], rank, cellTag + 1);
-    allRanks()->Send(parcel.Places.data(), sizes[1], rank, cellTag + 2);
-  }
-}
-
-Parcel receive(int rank)
-{
-  vtkIdType sizes[2];
-  allRanks()->Receive(sizes, 2, rank, cellTag);
-  Parcel parcel;
-  parcel.Cells.resize(static_cast<std::size_t>(sizes[0]));
-  parcel.Places.resize(static_cast<std::size_t>(sizes[1]));
-  if (sizes[0] > 0)
-  {
-    allRanks()->Receive(parcel.Cells.data(), sizes[0], rank, cellTag + 1);
-    allRanks()->Receive(parcel.Places.data(), sizes[1], rank, cellTag + 2);
-  }
-  return parcel;
-}
 
 class BorderMesh
 {
@@ -136,7 +108,7 @@ public:
   }
 
   // For each rank the cells near the points that it has too.
-  std::vector<Parcel> PackForRanks()
+  Parcels PackForRanks()
   {
     std::vector<vtkIdType> ids;
     std::vector<Vector3> places;
@@ -156,26 +128,31 @@ public:
       flags.resize(this->HasOwnCell.size(), 0);
       flags[static_cast<std::size_t>(ids[shared.Index])] = 1;
     }
-    std::vector<Parcel> parcels;
-    for (Flags& flags : near)
+    Parcels parcels;
+    parcels.Cells.resize(near.size());
+    parcels.Places.resize(near.size());
+    for (std::size_t rank = 0; rank < near.size(); ++rank)
     {
-      parcels.push_back(flags.empty() ? Parcel() : this->Pack(flags));
+      if (!near[rank].empty())
+      {
+        this->Pack(near[rank], parcels.Cells[rank], parcels.Places[rank]);
+      }
     }
     return parcels;
   }
 
-  void Add(Parcel& parcel)
+  void Add(std::vector<vtkIdType>& cells, const std::vector<double>& places)
   {
     const vtkIdType first = this->Points->GetNumberOfPoints();
-    for (std::size_t i = 0; i < parcel.Places.size(); i += 3)
+    for (std::size_t i = 0; i < places.size(); i += 3)
     {
-      this->Points->InsertNextPoint(&parcel.Places[i]);
+      this->Points->InsertNextPoint(&places[i]);
     }
-    for (std::size_t at = 0; at < parcel.Cells.size();)
+    for (std::size_t at = 0; at < cells.size();)
     {
-      const auto type = static_cast<int>(parcel.Cells[at]);
-      const vtkIdType count = parcel.Cells[at + 1];
-      vtkIdType* ids = &parcel.Cells[at + 2];
+      const auto type = static_cast<int>(cells[at]);
+      const vtkIdType count = cells[at + 1];
+      vtkIdType* ids = &cells[at + 2];
       forEachPoint(type, ids, count, [&](vtkIdType& id) { id += first; });
       this->Insert(type, ids, count);
       at += 2 + static_cast<std::size_t>(count);
@@ -228,7 +205,7 @@ private:
   }
 
   // `near`: flags of points, to which those of their cells are added, layer by layer.
-  Parcel Pack(Flags& near) const
+  void Pack(Flags& near, std::vector<vtkIdType>& cells, std::vector<double>& places) const
   {
     constexpr int layers = 3;
     Flags taken(static_cast<std::size_t>(this->NumberOfOwnCells), 0);
@@ -249,12 +226,12 @@ private:
       }
       near.swap(next);
     }
-    return this->PackCells(taken);
+    this->PackCells(taken, cells, places);
   }
 
-  Parcel PackCells(const Flags& taken) const
+  void PackCells(
+    const Flags& taken, std::vector<vtkIdType>& cells, std::vector<double>& places) const
   {
-    Parcel parcel;
     std::map<vtkIdType, vtkIdType> numbers; // of the points, in the parcel
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < this->NumberOfOwnCells; ++cell)
@@ -270,15 +247,14 @@ private:
         if (found.second)
         {
           const double* x = this->Points->GetPoint(id);
-          parcel.Places.insert(parcel.Places.end(), x, x + 3);
+          places.insert(places.end(), x, x + 3);
         }
         id = found.first->second;
       });
-      parcel.Cells.push_back(type);
-      parcel.Cells.push_back(ids->GetNumberOfIds());
-      parcel.Cells.insert(parcel.Cells.end(), ids->begin(), ids->end());
+      cells.push_back(type);
+      cells.push_back(ids->GetNumberOfIds());
+      cells.insert(cells.end(), ids->begin(), ids->end());
     }
-    return parcel;
   }
 
   vtkDataSet* Piece;
@@ -296,24 +272,12 @@ vtkSmartPointer<vtkDataSet> withCellsOfOtherRanks(vtkDataSet* piece)
     return nullptr;
   }
   BorderMesh mesh(piece);
-  const std::vector<Parcel> parcels = mesh.PackForRanks();
-  const int mine = allRanks()->GetLocalProcessId();
-  // Pairs of ranks meet in one order everywhere, so that nobody waits for somebody who waits.
-  for (int other = 0; other < allRanks()->GetNumberOfProcesses(); ++other)
+  const Parcels parcels = mesh.PackForRanks();
+  auto cells = tradeRecords(allRanks(), parcels.Cells);
+  const auto places = tradeRecords(allRanks(), parcels.Places);
+  for (std::size_t rank = 0; rank < cells.size(); ++rank)
   {
-    if (other > mine)
-    {
-      send(parcels[static_cast<std::size_t>(other)], other);
-    }
-    if (other != mine)
-    {
-      Parcel parcel = receive(other);
-      mesh.Add(parcel);
-    }
-    if (other < mine)
-    {
-      send(parcels[static_cast<std::size_t>(other)], other);
-    }
+    mesh.Add(cells[rank], places[rank]);
   }
   return mesh.GetGrid();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatMeeting.h"
 
+#include "RankExchange.h"
 #include "SplatPieces.h"
 #include "SplatShapes.h"
 #include "SplatVectorBounds.h"
@@ -121,15 +122,6 @@ void mark(vtkDataSet* vertices, unsigned char ghost)
   vertices->GetCellData()->AddArray(ghosts);
 }
 
-void send(vtkDataSet* vertices, vtkIdList* ids, int rank)
-{
-  if (ids->GetNumberOfIds() > 0)
-  {
-    world()->Send(chosenVertices(vertices, ids), rank, exchangeTag);
-  }
-}
-
-// Pairs of ranks meet in one order everywhere, so that nobody waits for somebody who waits.
 std::vector<vtkSmartPointer<vtkDataObject>> tradeWithRanks(
   vtkDataSet* vertices, const std::vector<vtkSmartPointer<vtkIdList>>& ids)
 {
@@ -142,6 +134,13 @@ std::vector<vtkSmartPointer<vtkDataObject>> tradeWithRanks(
   }
   world()->AllGather(counts.data(), all.data(), ranks);
   std::vector<vtkSmartPointer<vtkDataObject>> received;
+  const auto send = [&](int rank) {
+    vtkIdList* list = ids[static_cast<std::size_t>(rank)];
+    if (list->GetNumberOfIds() > 0)
+    {
+      world()->Send(chosenVertices(vertices, list), rank, exchangeTag);
+    }
+  };
   const auto receive = [&](int rank) {
     if (all[static_cast<std::size_t>(rank * ranks + mine)] > 0)
     {
@@ -149,20 +148,7 @@ std::vector<vtkSmartPointer<vtkDataObject>> tradeWithRanks(
         vtkSmartPointer<vtkDataObject>::Take(world()->ReceiveDataObject(rank, exchangeTag)));
     }
   };
-  for (int other = 0; other < ranks; ++other)
-  {
-    vtkIdList* list = ids[static_cast<std::size_t>(other)];
-    if (other < mine)
-    {
-      receive(other);
-      send(vertices, list, other);
-    }
-    else if (other > mine)
-    {
-      send(vertices, list, other);
-      receive(other);
-    }
-  }
+  meetOtherRanks(world(), send, receive);
   return received;
 }
 } // namespace
