@@ -26,9 +26,13 @@ CellGeometry::Form formOfCells(bool byRays, bool crossesWholeCells, int interpol
   {
     return Form::Tetrahedra;
   }
-  if (!crossesWholeCells || interpolation == vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION)
+  if (!crossesWholeCells)
   {
     return Form::Grid;
+  }
+  if (interpolation == vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION)
+  {
+    return Form::WholeCells;
   }
   return interpolation == vtkCellCompositingMapper::TRILINEAR_INTERPOLATION ? Form::Hexahedra
                                                                             : Form::GridOrWarped;
@@ -45,9 +49,10 @@ bool vtkCellCompositingMapper::MayCrossWholeCells() const
 bool vtkCellCompositingMapper::IsTrilinear() const
 {
   const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  return this->CellInterpolation == TRILINEAR_INTERPOLATION ||
-    (this->CellInterpolation == AUTOMATIC_INTERPOLATION &&
-      (geometry.Lattice.Found || !geometry.Hexahedra.empty()));
+  const bool holds = geometry.Lattice.Found || !geometry.Hexahedra.empty();
+  return !geometry.DividesHexahedra &&
+    (this->CellInterpolation == TRILINEAR_INTERPOLATION ||
+      (this->CellInterpolation == AUTOMATIC_INTERPOLATION && holds));
 }
 
 std::string vtkCellCompositingMapper::UpdateGeometry(

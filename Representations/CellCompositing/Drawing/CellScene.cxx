@@ -102,6 +102,8 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
 {
   const bool ofOther = this->Contours.IsUsed() && !this->Contours.OfColor;
   const std::int64_t field = ofOther ? this->Contours.FieldVersion : 0;
+  const std::vector<float> none;
+  const std::vector<float>& contoured = ofOther ? this->Contours.Scalars : none;
   if (this->Current.Topology > this->Current.Geometry && method == this->CurrentMethod &&
     field == this->FieldOfTopology)
   {
@@ -116,7 +118,7 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
   this->Current.Order = 0;
   if (method == Method::Rays && !this->Geometry.Hexahedra.empty())
   {
-    if (!findHexahedronNeighbors(this->Geometry, this->Neighbors, progress))
+    if (!findHexahedronNeighbors(this->Geometry, this->Neighbors, contoured, progress))
     {
       return false;
     }
@@ -127,8 +129,7 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
     {
       return false;
     }
-    this->Neighbors.Build(
-      this->Geometry, this->Faces, ofOther ? this->Contours.Scalars : std::vector<float>());
+    this->Neighbors.Build(this->Geometry, this->Faces, contoured);
     this->Faces = FaceNeighbors();
   }
   this->Change(this->Current.Topology);
@@ -360,6 +361,11 @@ void CellScene::FindVisibleHexahedra()
     std::int64_t count = 0;
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
     {
+      if (geometry.DividesHexahedra)
+      {
+        count += this->CountVisibleParts(i);
+        continue;
+      }
       Hexahedron vertices = geometry.Hexahedra[i];
       std::array<float, 8> s;
       std::transform(vertices.begin(), vertices.end(), s.begin(), [&](std::int32_t p) {
@@ -372,9 +378,34 @@ void CellScene::FindVisibleHexahedra()
     }
     visible += count;
   });
-  // As many tetrahedra as they could be divided into, on average.
-  this->NumberOfVisible =
-    n == 0 ? 0 : visible * geometry.TetrahedraOfHexahedra / static_cast<std::int64_t>(n);
+  // Of those with a field of their own, as many tetrahedra as they could be divided into, on average.
+  this->NumberOfVisible = geometry.DividesHexahedra || n == 0
+    ? visible.load()
+    : visible * geometry.TetrahedraOfHexahedra / static_cast<std::int64_t>(n);
+}
+
+// Tetrahedra of a divided hexahedron.
+int CellScene::CountVisibleParts(std::size_t cell) const
+{
+  const CellGeometry& geometry = this->Geometry;
+  const bool separate = geometry.HasOpacityScalars;
+  const bool onCells = separate ? geometry.OpacityOnCells : !geometry.CellScalars.empty();
+  const std::vector<float>& values = separate ? geometry.OpacityScalars : geometry.CellScalars;
+  const auto valueAt = [&](std::int64_t p) {
+    const auto point = static_cast<std::size_t>(p);
+    return onCells ? values[cell] : separate ? values[point] : geometry.Points[point].Scalar;
+  };
+  int count = 0;
+  for (int part = 0; part < geometry.TetrahedraPerHexahedron(); ++part)
+  {
+    const auto vertices = geometry.PointNumbers(
+      static_cast<std::int64_t>(cell) * geometry.TetrahedraPerHexahedron() + part);
+    std::array<float, 4> s;
+    std::transform(vertices.begin(), vertices.end(), s.begin(), valueAt);
+    const auto range = std::minmax_element(s.begin(), s.end());
+    count += !this->IsTransparent(cell, vertices, *range.first, *range.second);
+  }
+  return count;
 }
 
 void CellScene::FindVisibleOfGrid()

@@ -148,6 +148,7 @@ private:
   void FindVisible();
   void FindVisibleOfGrid();
   void FindVisibleHexahedra();
+  int CountVisibleParts(std::size_t cell) const;
   void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
   void FindTablesOfTetrahedra(const std::vector<int>& layers);
   using VertexNumbersOf = std::array<std::int64_t, 4>;

@@ -9,6 +9,7 @@
 #include "CellGeometry.h"
 #include "ContourBuffers.h"
 #include "EyeTetrahedron.h"
+#include "HexahedronNeighbors.h"
 #include "MovedView.h"
 #include "RayGeometry.h"
 #include "RayShaders.h"
@@ -26,6 +27,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace nephoscope
 {
@@ -34,6 +36,20 @@ namespace
 // Layers of mesh that a ray may enter; and tetrahedra between entering and leaving.
 constexpr int maximumLayers = 1024;
 constexpr int maximumSteps = 1 << 16;
+
+// Points at one place with equal values are one.
+std::vector<std::int32_t> mergedVertices(
+  const CellGeometry& geometry, const TetrahedronNeighbors& neighbors)
+{
+  std::vector<std::int32_t> vertices;
+  vertices.reserve(8 * geometry.Hexahedra.size());
+  for (const Hexahedron& hexahedron : geometry.Hexahedra)
+  {
+    std::transform(hexahedron.begin(), hexahedron.end(), std::back_inserter(vertices),
+      [&](std::int32_t point) { return neighbors.Merged(point); });
+  }
+  return vertices;
+}
 
 // Instead of numbers of entries: rays start at the eye.
 constexpr int fromEye = -1;
@@ -56,7 +72,17 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
     }
   };
   this->HasHexahedra = !geometry.Hexahedra.empty();
-  if (this->HasHexahedra)
+  this->DividesHexahedra = geometry.DividesHexahedra;
+  this->HasOtherPoints = false;
+  if (this->DividesHexahedra)
+  {
+    const std::vector<CornerLink> links = cornerLinks(neighbors.Neighbors);
+    this->HasOtherPoints = std::any_of(links.begin(), links.end(),
+      [](const CornerLink& link) { return link[0] >= 0 && (link[0] & 1) != 0; });
+    upload(this->Neighbors, links, 2, VTK_INT);
+    upload(this->Hexahedra, mergedVertices(geometry, neighbors), 1, VTK_INT);
+  }
+  else if (this->HasHexahedra)
   {
     upload(this->Neighbors, neighbors.Neighbors, 1, VTK_INT);
     const std::size_t vertices = 8 * geometry.Hexahedra.size();
@@ -98,17 +124,25 @@ PixelRegion RayCells::FindRegion(
                    : coveredPixels(view, this->Entries.GetBounds(), viewport);
 }
 
+TetrahedronTopology RayCells::GetTopology() const
+{
+  return !this->Grid.IsEmpty() ? TetrahedronTopology::Grid
+    : this->HasHexahedra       ? TetrahedronTopology::Hexahedra
+                               : TetrahedronTopology::List;
+}
+
 std::string RayCells::OwnConstants() const
 {
   return shaderConstant("hasHiddenCells", this->HasHiddenCells) +
     shaderConstant("hasJumps", this->NumberOfJumps > 0) +
+    shaderConstant("hasOtherPoints", this->HasOtherPoints) +
     shaderConstant("closedGrid", this->Box.IsClosed(this->Grid));
 }
 
 // In which the scalar is trilinear.
 bool RayCells::DrawsHexahedra(const CellDrawing& drawing) const
 {
-  return this->HasHexahedra ||
+  return (this->HasHexahedra && !this->DividesHexahedra) ||
     (drawing.Options.Trilinear && !this->Grid.IsEmpty() && !drawing.Contours.HasPolygons() &&
       !drawing.Buffers.HasLayers() && !drawing.Buffers.HasOpacityScalars());
 }
@@ -118,7 +152,7 @@ bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)
   const std::string constants =
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() + this->OwnConstants();
   const std::string text = this->DrawsHexahedra(drawing) ? hexahedraShader(!this->Grid.IsEmpty())
-                                                         : tetrahedraShader(!this->Grid.IsEmpty());
+                                                         : tetrahedraShader(this->GetTopology());
   this->SegmentProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
     RayCellsVertex, specializedShader(text, constants).c_str(), "");
   return this->SegmentProgram != nullptr;
@@ -128,8 +162,7 @@ std::string RayCells::MediumShader(const CellDrawing& drawing, int instance) con
 {
   const std::string constants = drawing.OwnConstants() + this->OwnConstants() +
     "const int mediumNumber = " + std::to_string(instance) + ";\n";
-  return shaderInstance(
-    specializedShader(mediumShader(!this->Grid.IsEmpty()), constants), instance);
+  return shaderInstance(specializedShader(mediumShader(this->GetTopology()), constants), instance);
 }
 
 std::string RayCells::Draw(const CellDrawing& drawing)

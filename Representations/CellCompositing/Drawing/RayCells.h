@@ -17,6 +17,7 @@
 #include "ChessboardGrid.h"
 #include "CoveredPixels.h"
 #include "RayEntries.h"
+#include "RayShaders.h"
 #include "RayVoxels.h"
 
 #include "vtkNew.h"
@@ -82,6 +83,7 @@ private:
   std::string DrawFrom(const CellDrawing& drawing);
   std::string OwnConstants() const;
   bool DrawsHexahedra(const CellDrawing& drawing) const;
+  TetrahedronTopology GetTopology() const;
   bool ReadySegmentProgram(const CellDrawing& drawing);
   /** The walk as one of several in a shader (ShaderInstance.h). */
   std::string MediumShader(const CellDrawing& drawing, int instance) const;
@@ -102,6 +104,8 @@ private:
   std::size_t NumberOfJumps = 0; // boundary faces where rays go on, after those where they enter
   bool HasHiddenCells = false;
   bool HasHexahedra = false;
+  bool DividesHexahedra = false;
+  bool HasOtherPoints = false; // where divided hexahedra meet, since values jump there
   RayEntries Entries;
   int NumberOfLayers = 0;
 

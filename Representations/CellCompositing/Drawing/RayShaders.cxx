@@ -8,6 +8,7 @@
 #include "ChessboardTopologyShader.h"
 #include "CubicContoursShader.h"
 #include "CubicPiecesShader.h"
+#include "DividedHexahedraShader.h"
 #include "GridCellsShader.h"
 #include "GridHexahedraShader.h"
 #include "HexahedronContoursShader.h"
@@ -35,23 +36,25 @@ namespace nephoscope
 {
 namespace
 {
-std::string withTetrahedra(const std::string& shader, bool structured)
+std::string withTetrahedra(const std::string& shader, TetrahedronTopology topology)
 {
+  const char* text = topology == TetrahedronTopology::Grid ? ChessboardTopologyShader
+    : topology == TetrahedronTopology::Hexahedra           ? DividedHexahedraShader
+                                                           : NeighborTopologyShader;
   return withShaderParts(shader,
     { { "RayTetrahedron", RayTetrahedronShader }, { "RayStart", RayStartShader },
-      { "RaySurfaces", RaySurfacesShader },
-      { "Topology", structured ? ChessboardTopologyShader : NeighborTopologyShader },
-      { "GridCells", GridCellsShader }, { "TetrahedronWalk", TetrahedronWalkShader },
-      { "RaySegments", RaySegmentsShader }, { "RayRange", RayRangeShader },
-      { "VisibleDepths", VisibleDepthsShader }, { "PixelRay", PixelRayShader },
-      { "RayContours", RayContoursShader }, { "CameraLight", CameraLightShader } });
+      { "RaySurfaces", RaySurfacesShader }, { "Topology", text }, { "GridCells", GridCellsShader },
+      { "TetrahedronWalk", TetrahedronWalkShader }, { "RaySegments", RaySegmentsShader },
+      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
+      { "PixelRay", PixelRayShader }, { "RayContours", RayContoursShader },
+      { "CameraLight", CameraLightShader } });
 }
 }
 
-std::string tetrahedraShader(bool structured)
+std::string tetrahedraShader(TetrahedronTopology topology)
 {
   return withTetrahedra(
-    withShaderParts(RayCellsFragment, { { "RayEntry", RayEntryShader } }), structured);
+    withShaderParts(RayCellsFragment, { { "RayEntry", RayEntryShader } }), topology);
 }
 
 std::string hexahedraShader(bool structured)
@@ -74,11 +77,11 @@ std::string voxelsShader()
       { "RaySegments", RaySegmentsShader } });
 }
 
-std::string mediumShader(bool structured)
+std::string mediumShader(TetrahedronTopology topology)
 {
   const std::string walk = RayCellsFragment;
   const std::string text = walk.substr(0, walk.find("void main()")) + RayMediumShader;
-  return withShaderParts(withTetrahedra(text, structured),
+  return withShaderParts(withTetrahedra(text, topology),
     { { "RayEntry", "" }, { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
 }
 

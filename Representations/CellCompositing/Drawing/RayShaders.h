@@ -9,14 +9,22 @@
 namespace nephoscope
 {
 
-/** From tetrahedron to tetrahedron. `structured`: of a grid, which needs no lists. */
-std::string tetrahedraShader(bool structured);
+/** How a walk finds the next tetrahedron. */
+enum class TetrahedronTopology
+{
+  List,     ///< neighbours of each
+  Grid,     ///< indices; no lists
+  Hexahedra ///< neighbours of each hexahedron, which is divided as a cell of a grid
+};
+
+/** From tetrahedron to tetrahedron. */
+std::string tetrahedraShader(TetrahedronTopology topology);
 /** From hexahedron to hexahedron, in trilinear fields. */
 std::string hexahedraShader(bool structured);
 /** From cell to cell of a grid with evenly spaced points. */
 std::string voxelsShader();
 /** The first as one of several media in a shader, without what all media have in common. */
-std::string mediumShader(bool structured);
+std::string mediumShader(TetrahedronTopology topology);
 
 } // namespace nephoscope
 

@@ -33,10 +33,11 @@ std::array<std::int32_t, 3> outwardFace(
 std::array<std::int32_t, 3> pointsOf(
   const Tetrahedron& t, std::array<std::int32_t, 3> face, const FaceNeighbors& neighbors)
 {
+  const std::vector<std::int32_t>& places = neighbors.GetPlaces();
   for (std::int32_t& point : face)
   {
     const auto same = std::find_if(t.begin(), t.end(),
-      [&](std::int32_t p) { return neighbors.GetPlace(p) == neighbors.GetPlace(point); });
+      [&](std::int32_t p) { return places[std::size_t(p)] == places[std::size_t(point)]; });
     point = same == t.end() ? point : *same;
   }
   return face;

@@ -68,7 +68,9 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
   const bool grid = copied && form != Form::Tetrahedra && this->UseGrid(data, scalars, opacity);
   const bool implied = grid ||
     (copied && form == Form::Hexahedra &&
-      this->UseHexahedra(data, scalars, opacity, progress.Part(0.3, 1)));
+      this->UseHexahedra(data, scalars, opacity, progress.Part(0.3, 1))) ||
+    (copied && form >= Form::WholeCells &&
+      this->UseDividedHexahedra(data, scalars, opacity, progress.Part(0.3, 1)));
   if (!copied || (!implied && !this->Decompose(data, scalars, opacity, progress.Part(0.3, 1))))
   {
     this->Clear();

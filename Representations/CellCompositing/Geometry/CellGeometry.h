@@ -44,10 +44,11 @@ public:
 
   enum class Form
   {
-    Tetrahedra,   ///< always listed
-    Grid,         ///< of structured data only the grid is kept, which implies the tetrahedra
-    GridOrWarped, ///< the same, and cells of others are kept as hexahedra where they can be if tetrahedra of one overlap
-    Hexahedra     ///< the same, and cells of others are always kept as hexahedra where they can be
+    Tetrahedra, ///< always listed
+    Grid,       ///< of structured data only the grid is kept, which implies the tetrahedra
+    WholeCells, ///< the same, and hexahedra of others are kept where they are divided as those of a grid
+    GridOrWarped, ///< the same, and cells of others are kept as hexahedra with their own field where they can be if tetrahedra of one overlap
+    Hexahedra ///< the same, and cells of others are kept as hexahedra with their own field wherever they can be
   };
 
   /**
@@ -73,7 +74,9 @@ public:
   bool Stopped = false; ///< the last Build was told to stop
   std::vector<Point> Points;
   std::vector<Tetrahedron> Tetrahedra;
-  std::vector<Hexahedron> Hexahedra;      ///< in place of the list of tetrahedra unless it is empty
+  std::vector<Hexahedron> Hexahedra; ///< in place of the list of tetrahedra unless it is empty
+  bool DividesHexahedra =
+    false; ///< each stands for its five tetrahedra (chessboardPart), not for a field of its own
   std::int64_t TetrahedraOfHexahedra = 0; ///< into how many these could be divided
   GridLattice Lattice;                    ///< of the grid, where it is evenly spaced
   ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
@@ -111,6 +114,12 @@ public:
   /** Tetrahedra numbered on from 0, listed or of the grid, hidden ones among them: how many, which points, and whether it is hidden. */
   std::int64_t CountTetrahedra() const;
   std::array<std::int64_t, 4> PointNumbers(std::int64_t tetrahedron) const;
+  int TetrahedraPerHexahedron() const { return this->DividesHexahedra ? 5 : 6; }
+  /** Of a hexahedron. */
+  std::array<std::size_t, 4> PartCorners(int part) const
+  {
+    return this->DividesHexahedra ? chessboardPart(part) : hexahedronPart(part);
+  }
   bool IsHidden(std::int64_t tetrahedron) const;
   ///@}
   /** While it is built: how hexahedra are divided (ChessboardDivision.h). Null: by their coordinates. */
@@ -137,6 +146,10 @@ private:
     const ScalarSelection& opacity, const Progress& progress);
   bool UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity, const Progress& progress);
+  bool UseDividedHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
+    const ScalarSelection& opacity, const Progress& progress);
+  bool ListHexahedra(vtkDataSet* data, std::vector<std::int32_t>& first,
+    const ScalarSelection& scalars, const ScalarSelection& opacity, const Progress& progress);
   bool FillHexahedra(
     vtkDataSet* data, const std::vector<std::int32_t>& first, const Progress& progress);
   void CountShapes(const class ShapeCounts& counts);

@@ -107,7 +107,7 @@ std::vector<Crossing> findCrossings(const CellGeometry& geometry, const PickRay&
 
 std::int64_t valueNumber(const CellGeometry& geometry, std::int64_t tetrahedron)
 {
-  return !geometry.Hexahedra.empty() ? tetrahedron / 6
+  return !geometry.Hexahedra.empty() ? tetrahedron / geometry.TetrahedraPerHexahedron()
     : geometry.Grid.IsEmpty()        ? tetrahedron
                                      : tetrahedron / ChessboardGrid::TetrahedraPerCell;
 }

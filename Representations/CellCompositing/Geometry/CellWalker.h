@@ -93,6 +93,19 @@ public:
 
   /** Whether the tetrahedra of the cell that was walked last overlap by more than a thousandth of it. */
   bool IsWarped() const { return this->Source.IsWarped(); }
+  /** Whether no point occurs twice in the cell that was looked at last. */
+  bool HasDistinctPoints() const
+  {
+    const vtkIdList* points = this->Source.GetPoints();
+    for (auto p = points->begin(); p != points->end(); ++p)
+    {
+      if (std::find(points->begin(), p, *p) != p)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
   /** Whether those of the cell that was walked last do. */
   bool TetrahedraFillCell() { return this->Source.TetrahedraFillCell(); }
 

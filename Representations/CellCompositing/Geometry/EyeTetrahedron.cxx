@@ -103,7 +103,15 @@ EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors
     result.Opacity += second ? float(weights[k] * geometry.OpacityScalars[point]) : 0.0f;
   }
   result.Opacity = second ? result.Opacity : result.Scalar;
-  result.Place[0] = std::int32_t(geometry.Hexahedra.empty() ? number : number / 6);
+  const int perHexahedron = geometry.TetrahedraPerHexahedron();
+  result.Place[0] = std::int32_t(geometry.Hexahedra.empty() ? number : number / perHexahedron);
+  if (geometry.DividesHexahedra)
+  {
+    const int part = static_cast<int>(number % perHexahedron);
+    const auto corners = geometry.PartCorners(part);
+    std::copy(corners.begin(), corners.end(), result.Vertices.begin());
+    result.Place[3] = part == 0 ? -1 : result.Vertices[0];
+  }
   if (!geometry.Grid.IsEmpty())
   {
     const std::array<int, 3> cell =
@@ -247,7 +255,7 @@ bool holds(const CellGeometry& geometry, std::int64_t number, const Vector4& sta
 bool isBeside(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
   std::int64_t part, std::int64_t other)
 {
-  if (geometry.Hexahedra.empty())
+  if (geometry.Hexahedra.empty() || geometry.DividesHexahedra)
   {
     return false;
   }
@@ -320,8 +328,11 @@ EyeTetrahedron findEyeTetrahedron(
     return result;
   }
   result = describe(geometry, neighbors, found.Number, found.Start.Position, found.Start.Weights);
-  geometry.Grid.IsEmpty() ? HexahedronSearch(geometry, result).InList()
-                          : HexahedronSearch(geometry, result).InGrid();
+  if (!geometry.DividesHexahedra)
+  {
+    geometry.Grid.IsEmpty() ? HexahedronSearch(geometry, result).InList()
+                            : HexahedronSearch(geometry, result).InGrid();
+  }
   if (geometry.Grid.IsEmpty())
   {
     result.Overlapping = findOverlapping(geometry, neighbors, found.Number, found.Start.Position);

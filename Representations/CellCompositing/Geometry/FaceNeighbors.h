@@ -37,11 +37,8 @@ public:
     return this->Neighbors[4 * tetrahedron + static_cast<std::size_t>(face)];
   }
 
-  /** The first of the coincident points. */
-  std::int32_t GetPlace(std::int32_t point) const
-  {
-    return this->Places[static_cast<std::size_t>(point)];
-  }
+  /** For each point the first of those that coincide. */
+  const std::vector<std::int32_t>& GetPlaces() const { return this->Places; }
 
 private:
   std::vector<std::int32_t> Neighbors; // 4 per tetrahedron

@@ -47,7 +47,7 @@ std::int64_t CellGeometry::CountTetrahedra() const
 {
   if (!this->Hexahedra.empty())
   {
-    return 6 * static_cast<std::int64_t>(this->Hexahedra.size());
+    return this->TetrahedraPerHexahedron() * static_cast<std::int64_t>(this->Hexahedra.size());
   }
   return this->Grid.IsEmpty() ? static_cast<std::int64_t>(this->Tetrahedra.size())
                               : ChessboardGrid::TetrahedraPerCell * this->Grid.NumberOfCells();
@@ -57,8 +57,9 @@ std::array<std::int64_t, 4> CellGeometry::PointNumbers(std::int64_t tetrahedron)
 {
   if (!this->Hexahedra.empty())
   {
-    const Hexahedron& h = this->Hexahedra[static_cast<std::size_t>(tetrahedron / 6)];
-    const auto part = hexahedronPart(static_cast<int>(tetrahedron % 6));
+    const int perCell = this->TetrahedraPerHexahedron();
+    const Hexahedron& h = this->Hexahedra[static_cast<std::size_t>(tetrahedron / perCell)];
+    const auto part = this->PartCorners(static_cast<int>(tetrahedron % perCell));
     return { { h[part[0]], h[part[1]], h[part[2]], h[part[3]] } };
   }
   if (this->Grid.IsEmpty())

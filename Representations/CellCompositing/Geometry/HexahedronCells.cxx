@@ -4,8 +4,10 @@
 #include "CellGeometry.h"
 
 #include "CellWalker.h"
+#include "ChessboardDivision.h"
 #include "HexahedronNeighbors.h"
 
+#include "vtkCellData.h"
 #include "vtkCellTypes.h"
 #include "vtkDataSet.h"
 
@@ -62,15 +64,73 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
   {
     return false;
   }
-  std::partial_sum(first.begin(), first.end(), first.begin());
   this->NumberOfInvalidCells = invalid;
   this->CountShapes(shapes);
   this->TetrahedraOfHexahedra = tetrahedra;
+  return this->ListHexahedra(data, first, scalars, opacity, progress.Part(0.5, 1));
+}
+
+// first[cell + 1]: 1 for a cell that is drawn.
+bool CellGeometry::ListHexahedra(vtkDataSet* data, std::vector<std::int32_t>& first,
+  const ScalarSelection& scalars, const ScalarSelection& opacity, const Progress& progress)
+{
+  std::partial_sum(first.begin(), first.end(), first.begin());
   this->Hexahedra.resize(static_cast<std::size_t>(first.back()));
-  this->Cells.resize(this->Hexahedra.size() == n ? 0 : this->Hexahedra.size());
-  return this->FillHexahedra(data, first, progress.Part(0.5, 0.9)) &&
+  this->Cells.resize(this->Hexahedra.size() + 1 == first.size() ? 0 : this->Hexahedra.size());
+  return this->FillHexahedra(data, first, progress.Part(0, 0.8)) &&
     (!scalars.OnCells ||
-      this->CopyCellValues(scalars, this->ScalarRange, this->CellScalars, progress.Part(0.9, 1)));
+      this->CopyCellValues(
+        scalars, this->ScalarRange, this->CellScalars, progress.Part(0.8, 0.9))) &&
+    (!opacity.OnCells ||
+      this->CopyCellValues(
+        opacity, this->OpacityRange, this->OpacityScalars, progress.Part(0.9, 1)));
+}
+
+// False unless all cells can be divided as those of a grid and are in good shape, or when stopped.
+bool CellGeometry::UseDividedHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
+  const ScalarSelection& opacity, const Progress& progress)
+{
+  vtkSmartPointer<vtkUnsignedCharArray> divisions = chessboardDivision(data);
+  if (!divisions)
+  {
+    divisions = vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(divisionName));
+  }
+  if (!divisions || this->LayerArray || data->GetNumberOfCells() > mostLinkedHexahedra)
+  {
+    return false;
+  }
+  this->Divisions = divisions;
+  const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
+  std::vector<std::int32_t> first(n + 1, 0);
+  std::atomic<std::int64_t> invalid(0), drawn(0);
+  std::atomic<bool> fits(true);
+  const auto look = [&](std::size_t begin, std::size_t end) {
+    CellWalker walker(data, *this, scalars, opacity);
+    for (vtkIdType cell = static_cast<vtkIdType>(begin); cell < static_cast<vtkIdType>(end) && fits;
+         ++cell)
+    {
+      const CellOutcome outcome = walker.Walk(cell, [](const Tetrahedron&) {});
+      invalid += outcome == CellOutcome::Invalid;
+      if (outcome == CellOutcome::Decomposed)
+      {
+        first[static_cast<std::size_t>(cell) + 1] = 1;
+        ++drawn;
+        if (!divisions->GetValue(cell) || walker.GetShape() != CellShape::Whole ||
+          walker.IsWarped() || !walker.HasDistinctPoints())
+        {
+          fits = false;
+        }
+      }
+    }
+  };
+  if (!forRanges(n, progress.Part(0, 0.4), look) || !fits || drawn == 0)
+  {
+    return false;
+  }
+  this->NumberOfInvalidCells = invalid;
+  this->TetrahedraOfHexahedra = ChessboardGrid::TetrahedraPerCell * drawn;
+  this->DividesHexahedra = true;
+  return this->ListHexahedra(data, first, scalars, opacity, progress.Part(0.4, 1));
 }
 
 bool CellGeometry::FillHexahedra(
@@ -78,6 +138,7 @@ bool CellGeometry::FillHexahedra(
 {
   return forRanges(first.size() - 1, progress, [&](std::size_t begin, std::size_t end) {
     TetrahedronSource source(data);
+    const auto isOdd = [&](vtkIdType cell) { return this->Divisions->GetValue(cell) % 2 == 0; };
     for (std::size_t cell = begin; cell < end; ++cell)
     {
       if (first[cell] == first[cell + 1])
@@ -94,8 +155,9 @@ bool CellGeometry::FillHexahedra(
       const std::size_t at = static_cast<std::size_t>(first[cell]);
       for (std::size_t k = 0; k < 8; ++k)
       {
-        this->Hexahedra[at][k] =
-          static_cast<std::int32_t>(source.GetPoints()->GetId(form.Vertices[k]));
+        // Mirrored, where the first vertex is odd, so that it is not.
+        const int vertex = form.Vertices[this->DividesHexahedra && isOdd(number) ? k ^ 1 : k];
+        this->Hexahedra[at][k] = static_cast<std::int32_t>(source.GetPoints()->GetId(vertex));
       }
       if (!this->Cells.empty())
       {

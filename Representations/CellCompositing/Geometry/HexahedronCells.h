@@ -36,6 +36,24 @@ inline std::array<std::size_t, 4> hexahedronPart(int part)
   return { { 0, first, first | second, 7 } };
 }
 
+/** True for vertices with an odd number of bits. */
+inline bool isOddCorner(std::size_t corner)
+{
+  return ((corner ^ corner >> 1 ^ corner >> 2) & 1) != 0;
+}
+
+/** Five tetrahedra, as ChessboardGrid.h divides a cell whose first vertex is even: that of the even vertices, and one at each odd vertex, which comes first. */
+inline std::array<std::size_t, 4> chessboardPart(int part)
+{
+  constexpr std::array<std::size_t, 4> odd = { { 1, 2, 4, 7 } };
+  if (part == 0)
+  {
+    return { { 0, 3, 5, 6 } };
+  }
+  const std::size_t o = odd[static_cast<std::size_t>(part - 1)];
+  return { { o, o ^ 1, o ^ 2, o ^ 4 } };
+}
+
 } // namespace nephoscope
 
 #endif

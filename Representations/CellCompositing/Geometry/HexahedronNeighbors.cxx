@@ -6,6 +6,8 @@
 #include "Buckets.h"
 #include "CoincidentPoints.h"
 
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -34,10 +36,11 @@ class HexahedronLinks
 {
 public:
   HexahedronLinks(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
-    std::vector<std::int32_t>& links)
+    TetrahedronNeighbors& neighbors)
     : Geometry(geometry)
     , Places(places)
-    , Links(links)
+    , Neighbors(neighbors)
+    , Links(neighbors.Neighbors)
   {
   }
 
@@ -87,6 +90,12 @@ private:
     return result;
   }
 
+  // As the walk has it.
+  std::int32_t PointOf(std::int32_t vertex) const
+  {
+    return this->Geometry.DividesHexahedra ? this->Neighbors.Merged(vertex) : vertex;
+  }
+
   // How far the middle of a cell is in front of a face, and what of it rounding may be.
   std::array<double, 2> Height(std::int32_t cell, const OpenQuadrilateral& face) const
   {
@@ -125,14 +134,15 @@ private:
 
   void Link(const OpenQuadrilateral& f, const OpenQuadrilateral& g)
   {
-    if (!this->IsFolded(f, g))
+    const std::int32_t there = this->LinkFrom(f, g), back = this->LinkFrom(g, f);
+    if (there >= 0 && back >= 0 && !this->IsFolded(f, g))
     {
-      this->Links[6 * std::size_t(f.Cell) + std::size_t(f.Face)] = this->LinkFrom(f, g);
-      this->Links[6 * std::size_t(g.Cell) + std::size_t(g.Face)] = this->LinkFrom(g, f);
+      this->Links[6 * std::size_t(f.Cell) + std::size_t(f.Face)] = there;
+      this->Links[6 * std::size_t(g.Cell) + std::size_t(g.Face)] = back;
     }
   }
 
-  // As ListedHexahedra.glsl reads it.
+  // As ListedHexahedra.glsl reads it; None where the two cells divide the face in different ways.
   std::int32_t LinkFrom(const OpenQuadrilateral& f, const OpenQuadrilateral& g) const
   {
     const Quadrilateral places = this->PlacesOf(f.Cell, f.Face);
@@ -149,8 +159,10 @@ private:
         {
           const std::size_t along = turned != 0 ? (k >> 1) | ((k & 1) << 1) : k;
           const std::int32_t vertex = other[across[start ^ along]];
-          fits = fits && this->Places[std::size_t(vertex)] == places[k];
-          same = same && vertex == own[corners[k]];
+          fits = fits && this->Places[std::size_t(vertex)] == places[k] &&
+            (!this->Geometry.DividesHexahedra ||
+              isOddCorner(across[start ^ along]) == isOddCorner(corners[k]));
+          same = same && this->PointOf(vertex) == this->PointOf(own[corners[k]]);
         }
         if (fits)
         {
@@ -159,7 +171,8 @@ private:
         }
       }
     }
-    return Packed(g.Cell, across[0], first, second, true);
+    return this->Geometry.DividesHexahedra ? std::int32_t(TetrahedronNeighbors::None)
+                                           : Packed(g.Cell, across[0], first, second, true);
   }
 
   static std::int32_t Packed(
@@ -171,6 +184,7 @@ private:
 
   const CellGeometry& Geometry;
   const std::vector<std::int32_t>& Places;
+  const TetrahedronNeighbors& Neighbors;
   std::vector<std::int32_t>& Links;
 };
 
@@ -198,6 +212,26 @@ Vector3 middleOf(const CellGeometry& geometry, const Hexahedron& cell)
   return middle;
 }
 
+// Of a face; where hexahedra are divided, each begins with an odd vertex.
+std::array<std::array<std::size_t, 3>, 2> trianglesOf(int face, bool divided)
+{
+  const auto c = hexahedronFace(face);
+  if (!divided)
+  {
+    return { { { { c[0], c[1], c[3] } }, { { c[0], c[3], c[2] } } } };
+  }
+  return isOddCorner(c[0]) ? std::array<std::array<std::size_t, 3>, 2>{ { { { c[0], c[1], c[2] } },
+                               { { c[3], c[1], c[2] } } } }
+                           : std::array<std::array<std::size_t, 3>, 2>{ { { { c[1], c[0], c[3] } },
+                               { { c[2], c[0], c[3] } } } };
+}
+
+// As DividedHexahedra.glsl reads it.
+std::int32_t dividedEntry(std::int32_t cell, std::size_t odd, int face)
+{
+  return (8 * cell + std::int32_t(odd)) * 4 + (face >> 1);
+}
+
 void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
 {
   neighbors.BoundaryFaces.clear();
@@ -210,12 +244,11 @@ void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
       {
         continue;
       }
-      const auto c = hexahedronFace(face);
-      for (const auto& corners : { std::array<std::size_t, 3>{ { c[0], c[1], c[3] } },
-             std::array<std::size_t, 3>{ { c[0], c[3], c[2] } } })
+      for (const auto& corners : trianglesOf(face, geometry.DividesHexahedra))
       {
         BoundaryFace triangle = { { cell[corners[0]], cell[corners[1]], cell[corners[2]],
-          std::int32_t(8 * i) + face } };
+          geometry.DividesHexahedra ? dividedEntry(std::int32_t(i), corners[0], face)
+                                    : std::int32_t(8 * i) + face } };
         turnOutwards(geometry, triangle, middleOf(geometry, cell));
         if (hasExtent(geometry, triangle))
         {
@@ -227,19 +260,63 @@ void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
 }
 }
 
-bool findHexahedronNeighbors(
-  CellGeometry& geometry, TetrahedronNeighbors& neighbors, const Progress& progress)
+namespace
+{
+CornerLink cornerLink(std::int32_t link, int face)
+{
+  if (link < 0)
+  {
+    return { { link, 0 } };
+  }
+  const int numbers = link >> 4, order = numbers % 6, start = link >> 1 & 7;
+  const int first = order >> 1, second = (first + 1 + (order & 1)) % 3;
+  const int ahead = 7 ^ 1 << first ^ 1 << second;
+  const int axis = 1 << (face >> 1), oldFirst = axis == 1 ? 2 : 1, oldSecond = axis == 4 ? 2 : 4;
+  std::int32_t corners = 0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const bool isInFace = ((corner & axis) != 0) == ((face & 1) != 0);
+    const int across = start ^ ((corner & oldFirst) != 0 ? 1 << first : 0) ^
+      ((corner & oldSecond) != 0 ? 1 << second : 0) ^ (isInFace ? 0 : ahead);
+    corners |= across << 4 * corner;
+  }
+  return { { 2 * (numbers / 6) + (link & 1), corners } };
+}
+}
+
+std::vector<CornerLink> cornerLinks(const std::vector<std::int32_t>& neighbors)
+{
+  std::vector<CornerLink> links(neighbors.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(links.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      links[static_cast<std::size_t>(i)] =
+        cornerLink(neighbors[static_cast<std::size_t>(i)], static_cast<int>(i % 6));
+    }
+  });
+  return links;
+}
+
+bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
+  const std::vector<float>& third, const Progress& progress)
 {
   neighbors = TetrahedronNeighbors();
-  std::vector<std::int32_t>& places = neighbors.MergedPoints;
-  places = findPlaces(geometry, progress.Part(0, 0.1));
+  std::vector<std::int32_t> places = findPlaces(geometry, progress.Part(0, 0.1));
   if (places.size() != geometry.Points.size() ||
     !weldPlaces(geometry, places, progress.Part(0.1, 0.3)))
   {
     return false;
   }
   moveToPlaces(geometry, places);
-  if (!HexahedronLinks(geometry, places, neighbors.Neighbors).Find(progress.Part(0.3, 1)))
+  if (geometry.DividesHexahedra)
+  {
+    neighbors.MergePoints(geometry, places, third);
+  }
+  else
+  {
+    neighbors.MergedPoints = places;
+  }
+  if (!HexahedronLinks(geometry, places, neighbors).Find(progress.Part(0.3, 1)))
   {
     return false;
   }

@@ -13,17 +13,32 @@
 #include "CellGeometry.h"
 #include "TetrahedronNeighbors.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
+#include <vector>
 
 namespace nephoscope
 {
 
 constexpr std::int64_t mostLinkedHexahedra = std::numeric_limits<std::int32_t>::max() / 96;
 
-/** Neighbours and boundary faces of the hexahedra; gives points at one place the position of the first of them. False when stopped. */
-bool findHexahedronNeighbors(
-  CellGeometry& geometry, TetrahedronNeighbors& neighbors, const Progress& progress = {});
+/**
+ * Neighbours and boundary faces of the hexahedra; gives points at one place the position of the first of them. `third`: as TetrahedronNeighbors::Build has
+ * it, for divided ones. False when stopped.
+ */
+bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
+  const std::vector<float>& third = {}, const Progress& progress = {});
+
+/**
+ * A neighbour as a walk through the tetrahedra of divided hexahedra reads it: twice its cell, plus 1 where it has other points, or a negative number; and four bits for
+ * each corner of this cell, with what it is in the neighbour: itself in their common face, and behind it the corner that lies as far behind the
+ * face in the neighbour.
+ */
+using CornerLink = std::array<std::int32_t, 2>;
+
+/** From six neighbours per hexahedron. */
+std::vector<CornerLink> cornerLinks(const std::vector<std::int32_t>& neighbors);
 
 } // namespace nephoscope
 

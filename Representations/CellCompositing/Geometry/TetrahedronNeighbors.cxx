@@ -61,14 +61,13 @@ void TetrahedronNeighbors::Clear()
 void TetrahedronNeighbors::Build(
   const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third)
 {
-  this->MergePoints(geometry, faces, third);
+  this->MergePoints(geometry, faces.GetPlaces(), third);
   this->FindNeighbors(geometry, faces);
   this->ListBoundary(geometry);
 }
 
-// Points at one place with equal values become the first of them.
-void TetrahedronNeighbors::MergePoints(
-  const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third)
+void TetrahedronNeighbors::MergePoints(const CellGeometry& geometry,
+  const std::vector<std::int32_t>& places, const std::vector<float>& third)
 {
   const std::size_t n = geometry.Points.size();
   this->MergedPoints.resize(n);
@@ -76,7 +75,7 @@ void TetrahedronNeighbors::MergePoints(
   std::vector<std::int32_t> coincident; // all but the first of each place
   for (std::size_t i = 0; i < n; ++i)
   {
-    if (faces.GetPlace(std::int32_t(i)) != std::int32_t(i))
+    if (places[i] != std::int32_t(i))
     {
       coincident.push_back(std::int32_t(i));
     }
@@ -90,7 +89,7 @@ void TetrahedronNeighbors::MergePoints(
       third.empty() ? 0.0f : third[std::size_t(p)]);
   };
   const auto key = [&](std::int32_t p) {
-    return std::tuple_cat(std::make_tuple(faces.GetPlace(p)), values(p));
+    return std::tuple_cat(std::make_tuple(places[std::size_t(p)]), values(p));
   };
   // Points with values that are not finite belong to no tetrahedron, and would break the order.
   coincident.erase(std::remove_if(coincident.begin(), coincident.end(),
@@ -106,7 +105,7 @@ void TetrahedronNeighbors::MergePoints(
   for (std::size_t i = 0; i < coincident.size(); ++i)
   {
     const std::int32_t p = coincident[i];
-    const std::int32_t first = faces.GetPlace(p);
+    const std::int32_t first = places[std::size_t(p)];
     this->MergedPoints[std::size_t(p)] = values(p) == values(first) ? first
       : i > 0 && key(p) == key(coincident[i - 1])
       ? this->MergedPoints[std::size_t(coincident[i - 1])]

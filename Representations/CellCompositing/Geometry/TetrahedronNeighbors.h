@@ -36,7 +36,8 @@ struct TetrahedronNeighbors
   std::vector<std::int32_t> Neighbors;
   std::vector<std::int32_t> VertexSums; ///< exclusive-or of the four vertex numbers
   /**
-   * Three vertices, seen counterclockwise from outside, and the tetrahedron, or eight times the hexahedron plus its face. First those where rays enter; then those where values
+   * Three vertices, seen counterclockwise from outside, and the tetrahedron, or eight times the hexahedron plus its face, or, of a divided
+   * hexahedron, four times (eight times its number plus the odd corner, which is the first of the three) plus the axis of the face. First those where rays enter; then those where values
    * jump. Faces without extent are left out: lower than the rounding of their coordinates, and a million times longer.
    */
   std::vector<std::array<std::int32_t, 4>> BoundaryFaces;
@@ -55,12 +56,13 @@ struct TetrahedronNeighbors
   void Build(
     const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third = {});
   void Clear();
+  /** Finds MergedPoints: those at one of `places` (CoincidentPoints.h) with equal values become the first of them. `third`: as above. */
+  void MergePoints(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
+    const std::vector<float>& third);
   /** Neighbours, each with the vertex that it has behind the face, so that a step of a walk needs no other number. */
   std::vector<std::array<std::int32_t, 2>> WithNextVertices(const CellGeometry& geometry) const;
 
 private:
-  void MergePoints(
-    const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third);
   void FindNeighbors(const CellGeometry& geometry, const FaceNeighbors& faces);
   void ListBoundary(const CellGeometry& geometry);
   Tetrahedron MergedVertices(const CellGeometry& geometry, std::size_t tetrahedron) const;

@@ -6,13 +6,20 @@
 //NEPHOSCOPE::GridCells
 
 int oddVertex = 0;       // of the present tetrahedron; -1: the one between even vertices
+const bool otherPoints = false;
+
+int pointOf(int vertex)
+{
+  return vertex;
+}
 
 // A boundary face is given by the odd vertex, the two others, and the vertex behind it.
-int enterTetrahedron(ivec4 face)
+int enterTetrahedron(ivec4 boundaryFace, out ivec3 face)
 {
+  face = boundaryFace.xyz;
+  cellOf = min(min(pointIndex(face.x), pointIndex(face.y)), min(pointIndex(face.z), pointIndex(boundaryFace.w)));
   oddVertex = face.x;
-  cellOf = min(min(pointIndex(face.x), pointIndex(face.y)), min(pointIndex(face.z), pointIndex(face.w)));
-  return face.w;
+  return boundaryFace.w;
 }
 
 // A tetrahedron is given by its cell, and its odd vertex or -1.

@@ -9,6 +9,7 @@ uniform IntegerArray neighbors;
 uniform IntegerArray vertexSums; // exclusive-or of the vertex numbers
 
 int cellOf = 0; // the present tetrahedron
+const bool otherPoints = false;
 
 void keepTopology() {}
 
@@ -22,11 +23,17 @@ int fourthVertex(ivec3 face)
   return element(vertexSums, cellOf).r ^ face.x ^ face.y ^ face.z;
 }
 
-// A boundary face is given by its vertices and the tetrahedron.
-int enterTetrahedron(ivec4 face)
+int pointOf(int vertex)
 {
-  cellOf = face.w;
-  return fourthVertex(face.xyz);
+  return vertex;
+}
+
+// A boundary face is given by its vertices and the tetrahedron.
+int enterTetrahedron(ivec4 boundaryFace, out ivec3 face)
+{
+  face = boundaryFace.xyz;
+  cellOf = boundaryFace.w;
+  return fourthVertex(face);
 }
 
 void enterPlace(ivec4 place)

@@ -35,7 +35,7 @@ float unity = 0.0;      // 1
 vec2 clear = vec2(0.0); // clearRange, or that of the layer
 
 //NEPHOSCOPE::Constants
-// further: hasHiddenCells, closedGrid, hasJumps
+// further: hasHiddenCells, closedGrid, hasJumps, hasOtherPoints
 int jumpFace = -1; // boundary face from which a ray goes on that has left the mesh, where there is one: values jump there
 
 //NEPHOSCOPE::OpaqueDepth
@@ -53,7 +53,7 @@ int jumpFace = -1; // boundary face from which a ray goes on that has left the m
 vec3 across1 = vec3(0.0), across2 = vec3(0.0);
 vec3 pointStep[2], directionStep[2]; // from pixel to pixel
 
-Seen seen(int point)
+Seen seenPoint(int point)
 {
   vec4 p = element(points, point);
   vec3 q = p.xyz - origin;
@@ -66,9 +66,14 @@ Seen seen(int point)
 #endif
 }
 
+Seen seen(int vertex)
+{
+  return seenPoint(pointOf(vertex));
+}
+
 vec3 placeSeen(int point)
 {
-  return seen(point).place.xyz;
+  return seenPoint(point).place.xyz;
 }
 
 //NEPHOSCOPE::PixelRay

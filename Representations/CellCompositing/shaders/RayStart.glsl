@@ -1,30 +1,41 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a ray enters the mesh, at a boundary face or from the eye, and how it goes on from tetrahedron to tetrahedron.
-// Passes the face through which the ray enters.
-void startAtFace(ivec4 boundaryFace)
+void startAtVertices()
 {
-  face = boundaryFace.xyz;
-  next = enterTetrahedron(boundaryFace);
   if (startWalk(seen(face.x), seen(face.y), seen(face.z)))
   {
     face = face.xzy;
   }
 }
 
+// Passes the face through which the ray enters.
+void startAtFace(ivec4 boundaryFace)
+{
+  next = enterTetrahedron(boundaryFace, face);
+  startAtVertices();
+}
+
 // Goes into the next tetrahedron. False: there is none.
 bool goOn()
 {
+  bool lost = walkIsLost;
   if (crossFace(face, left, next))
   {
-    return true;
+    if (!hasOtherPoints || !otherPoints)
+    {
+      return true;
+    }
+    startAtVertices();
   }
-  if (!hasJumps || jumpFace < 0)
+  else if (hasJumps && jumpFace >= 0)
+  {
+    startAtFace(element(boundaryFaces, jumpFace));
+  }
+  else
   {
     return false;
   }
-  bool lost = walkIsLost;
-  startAtFace(element(boundaryFaces, jumpFace));
   walkIsLost = lost;
   layerIsKnown = false;
   return true;
@@ -42,6 +53,7 @@ void startInEyeTetrahedron()
 {
   ivec4 v = ivec4(eyeVertices[0], eyeVertices[1], eyeVertices[2], eyeVertices[3]);
   float eyeZ = dot(eyeMC - origin, along);
+  enterPlace(ivec4(eyePlace[0], eyePlace[1], eyePlace[2], eyePlace[3]));
   Seen p0 = seen(v.x), p1 = seen(v.y), p2 = seen(v.z), p3 = seen(v.w);
   vec4 inside = vec4(depthInside(p1, p2, p3, eyeZ), depthInside(p0, p2, p3, eyeZ), depthInside(p0, p1, p3, eyeZ),
     depthInside(p0, p1, p2, eyeZ));
@@ -51,7 +63,6 @@ void startInEyeTetrahedron()
   face = across == 0 ? v.yzw : across == 1 ? v.xzw : across == 2 ? v.xyw : v.xyz;
   vec4 w = eyeWeights;
   frontWeights = across == 0 ? w.yzwx : across == 1 ? w.xzwy : across == 2 ? w.xywz : w;
-  enterPlace(ivec4(eyePlace[0], eyePlace[1], eyePlace[2], eyePlace[3]));
   if (startWalk(seen(face.x), seen(face.y), seen(face.z)))
   {
     face = face.xzy;

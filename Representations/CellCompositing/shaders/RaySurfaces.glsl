@@ -11,7 +11,7 @@ void addSurface(int contour, vec2 range)
     vec2 scalars = mix(segmentFront.yz, segmentBack.yz, passedPlace);
     scalars.x = useCellScalars ? element(cellScalars, cellNumber()).r : scalars.x;
     ivec3 table = transferTable;
-    vec3 normal = contourLighting ? contourNormal(ivec4(face, left), weights) : vec3(0.0);
+    vec3 normal = contourLighting ? contourNormal(ivec4(pointOf(face.x), pointOf(face.y), pointOf(face.z), pointOf(left)), weights) : vec3(0.0);
     vec4 surface = contourSurface(contour, scalars.x, normal, (MCVCMatrix * vec4(origin + z * along, 1.0)).xyz);
     transferTable = table;
     light += (1.0 - light.a) * surface;
