@@ -378,13 +378,13 @@ void CellScene::FindVisibleHexahedra()
     }
     visible += count;
   });
-  // Of those with a field of their own, as many tetrahedra as they could be divided into, on average.
+  // A hexahedron with a field of its own counts as many tetrahedra as hexahedra are divided into on average.
   this->NumberOfVisible = geometry.DividesHexahedra || n == 0
     ? visible.load()
     : visible * geometry.TetrahedraOfHexahedra / static_cast<std::int64_t>(n);
 }
 
-// Tetrahedra of a divided hexahedron.
+// Visible tetrahedra of a divided hexahedron.
 int CellScene::CountVisibleParts(std::size_t cell) const
 {
   const CellGeometry& geometry = this->Geometry;

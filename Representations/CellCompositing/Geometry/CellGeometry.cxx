@@ -65,12 +65,16 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
   const bool copied = this->CopyPoints(data, progress.Part(0, 0.1)) &&
     this->CopyScalars(data, scalars, progress.Part(0.1, 0.2)) &&
     this->CopyOpacityScalars(data, opacity, progress.Part(0.2, 0.3));
-  const bool grid = copied && form != Form::Tetrahedra && this->UseGrid(data, scalars, opacity);
-  const bool implied = grid ||
-    (copied && form == Form::Hexahedra &&
-      this->UseHexahedra(data, scalars, opacity, progress.Part(0.3, 1))) ||
-    (copied && form >= Form::WholeCells &&
-      this->UseDividedHexahedra(data, scalars, opacity, progress.Part(0.3, 1)));
+  bool implied = copied && form != Form::Tetrahedra &&
+    (this->UseGrid(data, scalars, opacity) ||
+      (form == Form::Hexahedra &&
+        this->UseHexahedra(data, scalars, opacity, progress.Part(0.3, 1))));
+  if (copied && !implied)
+  {
+    this->Divisions = chessboardDivision(data);
+    implied = form >= Form::WholeCells &&
+      this->UseDividedHexahedra(data, scalars, opacity, progress.Part(0.3, 1));
+  }
   if (!copied || (!implied && !this->Decompose(data, scalars, opacity, progress.Part(0.3, 1))))
   {
     this->Clear();
@@ -133,7 +137,6 @@ bool CellGeometry::CopyPoints(vtkDataSet* data, const Progress& progress)
 bool CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, const Progress& progress)
 {
-  this->Divisions = chessboardDivision(data);
   std::vector<std::int64_t> first(static_cast<std::size_t>(data->GetNumberOfCells()) + 1, 0);
   bool counted = this->CountOfCells(data, scalars, opacity, first, progress.Part(0, 0.5)); // PASS 1
   if (this->Divisions && this->NumberOfMisnumberedCells > 0)

@@ -75,8 +75,8 @@ public:
   std::vector<Point> Points;
   std::vector<Tetrahedron> Tetrahedra;
   std::vector<Hexahedron> Hexahedra; ///< in place of the list of tetrahedra unless it is empty
-  bool DividesHexahedra =
-    false; ///< each stands for its five tetrahedra (chessboardPart), not for a field of its own
+  /** Each hexahedron stands for its five tetrahedra (chessboardPart), not for a field of its own. */
+  bool DividesHexahedra = false;
   std::int64_t TetrahedraOfHexahedra = 0; ///< into how many these could be divided
   GridLattice Lattice;                    ///< of the grid, where it is evenly spaced
   ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
@@ -115,7 +115,7 @@ public:
   std::int64_t CountTetrahedra() const;
   std::array<std::int64_t, 4> PointNumbers(std::int64_t tetrahedron) const;
   int TetrahedraPerHexahedron() const { return this->DividesHexahedra ? 5 : 6; }
-  /** Of a hexahedron. */
+  /** Vertices of a tetrahedron of a hexahedron. */
   std::array<std::size_t, 4> PartCorners(int part) const
   {
     return this->DividesHexahedra ? chessboardPart(part) : hexahedronPart(part);
@@ -149,9 +149,10 @@ private:
   bool UseDividedHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity, const Progress& progress);
   bool ListHexahedra(vtkDataSet* data, std::vector<std::int32_t>& first,
-    const ScalarSelection& scalars, const ScalarSelection& opacity, const Progress& progress);
-  bool FillHexahedra(
-    vtkDataSet* data, const std::vector<std::int32_t>& first, const Progress& progress);
+    vtkUnsignedCharArray* divisions, const ScalarSelection& scalars, const ScalarSelection& opacity,
+    const Progress& progress);
+  bool FillHexahedra(vtkDataSet* data, const std::vector<std::int32_t>& first,
+    vtkUnsignedCharArray* divisions, const Progress& progress);
   void CountShapes(const class ShapeCounts& counts);
   bool FindSeam();
   bool FindLattice();

@@ -67,17 +67,18 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
   this->NumberOfInvalidCells = invalid;
   this->CountShapes(shapes);
   this->TetrahedraOfHexahedra = tetrahedra;
-  return this->ListHexahedra(data, first, scalars, opacity, progress.Part(0.5, 1));
+  return this->ListHexahedra(data, first, nullptr, scalars, opacity, progress.Part(0.5, 1));
 }
 
 // first[cell + 1]: 1 for a cell that is drawn.
 bool CellGeometry::ListHexahedra(vtkDataSet* data, std::vector<std::int32_t>& first,
-  const ScalarSelection& scalars, const ScalarSelection& opacity, const Progress& progress)
+  vtkUnsignedCharArray* divisions, const ScalarSelection& scalars, const ScalarSelection& opacity,
+  const Progress& progress)
 {
   std::partial_sum(first.begin(), first.end(), first.begin());
   this->Hexahedra.resize(static_cast<std::size_t>(first.back()));
   this->Cells.resize(this->Hexahedra.size() + 1 == first.size() ? 0 : this->Hexahedra.size());
-  return this->FillHexahedra(data, first, progress.Part(0, 0.8)) &&
+  return this->FillHexahedra(data, first, divisions, progress.Part(0, 0.8)) &&
     (!scalars.OnCells ||
       this->CopyCellValues(
         scalars, this->ScalarRange, this->CellScalars, progress.Part(0.8, 0.9))) &&
@@ -90,16 +91,13 @@ bool CellGeometry::ListHexahedra(vtkDataSet* data, std::vector<std::int32_t>& fi
 bool CellGeometry::UseDividedHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, const Progress& progress)
 {
-  vtkSmartPointer<vtkUnsignedCharArray> divisions = chessboardDivision(data);
-  if (!divisions)
-  {
-    divisions = vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(divisionName));
-  }
+  vtkUnsignedCharArray* divisions = this->Divisions
+    ? this->Divisions.Get()
+    : vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(divisionName));
   if (!divisions || this->LayerArray || data->GetNumberOfCells() > mostLinkedHexahedra)
   {
     return false;
   }
-  this->Divisions = divisions;
   const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
   std::vector<std::int32_t> first(n + 1, 0);
   std::atomic<std::int64_t> invalid(0), drawn(0);
@@ -130,15 +128,15 @@ bool CellGeometry::UseDividedHexahedra(vtkDataSet* data, const ScalarSelection& 
   this->NumberOfInvalidCells = invalid;
   this->TetrahedraOfHexahedra = ChessboardGrid::TetrahedraPerCell * drawn;
   this->DividesHexahedra = true;
-  return this->ListHexahedra(data, first, scalars, opacity, progress.Part(0.4, 1));
+  return this->ListHexahedra(data, first, divisions, scalars, opacity, progress.Part(0.4, 1));
 }
 
-bool CellGeometry::FillHexahedra(
-  vtkDataSet* data, const std::vector<std::int32_t>& first, const Progress& progress)
+// With `divisions`, all begin with an even vertex.
+bool CellGeometry::FillHexahedra(vtkDataSet* data, const std::vector<std::int32_t>& first,
+  vtkUnsignedCharArray* divisions, const Progress& progress)
 {
   return forRanges(first.size() - 1, progress, [&](std::size_t begin, std::size_t end) {
     TetrahedronSource source(data);
-    const auto isOdd = [&](vtkIdType cell) { return this->Divisions->GetValue(cell) % 2 == 0; };
     for (std::size_t cell = begin; cell < end; ++cell)
     {
       if (first[cell] == first[cell + 1])
@@ -153,10 +151,10 @@ bool CellGeometry::FillHexahedra(
         source.PutInOrder(number);
       }
       const std::size_t at = static_cast<std::size_t>(first[cell]);
+      const bool isOdd = divisions && divisions->GetValue(number) % 2 == 0;
       for (std::size_t k = 0; k < 8; ++k)
       {
-        // Mirrored, where the first vertex is odd, so that it is not.
-        const int vertex = form.Vertices[this->DividesHexahedra && isOdd(number) ? k ^ 1 : k];
+        const int vertex = form.Vertices[isOdd ? k ^ 1 : k];
         this->Hexahedra[at][k] = static_cast<std::int32_t>(source.GetPoints()->GetId(vertex));
       }
       if (!this->Cells.empty())

@@ -42,7 +42,10 @@ inline bool isOddCorner(std::size_t corner)
   return ((corner ^ corner >> 1 ^ corner >> 2) & 1) != 0;
 }
 
-/** Five tetrahedra, as ChessboardGrid.h divides a cell whose first vertex is even: that of the even vertices, and one at each odd vertex, which comes first. */
+/**
+ * Five tetrahedra, as ChessboardGrid.h divides a cell whose first vertex is even: that of the even vertices, and one at each odd vertex,
+ * which comes first.
+ */
 inline std::array<std::size_t, 4> chessboardPart(int part)
 {
   constexpr std::array<std::size_t, 4> odd = { { 1, 2, 4, 7 } };

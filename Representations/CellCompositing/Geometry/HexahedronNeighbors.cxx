@@ -212,7 +212,7 @@ Vector3 middleOf(const CellGeometry& geometry, const Hexahedron& cell)
   return middle;
 }
 
-// Of a face; where hexahedra are divided, each begins with an odd vertex.
+// The two triangles of a face; where hexahedra are divided, each begins with an odd vertex.
 std::array<std::array<std::size_t, 3>, 2> trianglesOf(int face, bool divided)
 {
   const auto c = hexahedronFace(face);
@@ -258,10 +258,7 @@ void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
     }
   }
 }
-}
 
-namespace
-{
 CornerLink cornerLink(std::int32_t link, int face)
 {
   if (link < 0)

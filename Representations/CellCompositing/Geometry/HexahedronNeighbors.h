@@ -24,16 +24,16 @@ namespace nephoscope
 constexpr std::int64_t mostLinkedHexahedra = std::numeric_limits<std::int32_t>::max() / 96;
 
 /**
- * Neighbours and boundary faces of the hexahedra; gives points at one place the position of the first of them. `third`: as TetrahedronNeighbors::Build has
- * it, for divided ones. False when stopped.
+ * Neighbours and boundary faces of the hexahedra. Points at one place get the position of the first of them. `third`: as for
+ * TetrahedronNeighbors::Build, for divided hexahedra. False when stopped.
  */
 bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
   const std::vector<float>& third = {}, const Progress& progress = {});
 
 /**
- * A neighbour as a walk through the tetrahedra of divided hexahedra reads it: twice its cell, plus 1 where it has other points, or a negative number; and four bits for
- * each corner of this cell, with what it is in the neighbour: itself in their common face, and behind it the corner that lies as far behind the
- * face in the neighbour.
+ * A neighbour as the walk through divided hexahedra reads it. The first number is twice the neighbour's cell, plus 1 where it has other
+ * points in the common face, or negative where there is no neighbour. The second has four bits for each corner of this cell: the corner of
+ * the neighbour that is the same point in the common face, or that lies behind the face where the corner of this cell lies before it.
  */
 using CornerLink = std::array<std::int32_t, 2>;
 

@@ -36,9 +36,10 @@ struct TetrahedronNeighbors
   std::vector<std::int32_t> Neighbors;
   std::vector<std::int32_t> VertexSums; ///< exclusive-or of the four vertex numbers
   /**
-   * Three vertices, seen counterclockwise from outside, and the tetrahedron, or eight times the hexahedron plus its face, or, of a divided
-   * hexahedron, four times (eight times its number plus the odd corner, which is the first of the three) plus the axis of the face. First those where rays enter; then those where values
-   * jump. Faces without extent are left out: lower than the rounding of their coordinates, and a million times longer.
+   * Three vertices, seen counterclockwise from outside, and where a walk begins: the tetrahedron; eight times the hexahedron plus its face; or
+   * for a divided hexahedron four times (eight times its number plus the odd corner, the first of the three) plus the axis of the face.
+   * Faces where rays enter come first, then those where values jump. Faces without extent are left out: lower than the rounding of their
+   * coordinates, and a million times longer.
    */
   std::vector<std::array<std::int32_t, 4>> BoundaryFaces;
   std::size_t NumberOfJumps = 0; ///< at the end of them
@@ -56,7 +57,7 @@ struct TetrahedronNeighbors
   void Build(
     const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third = {});
   void Clear();
-  /** Finds MergedPoints: those at one of `places` (CoincidentPoints.h) with equal values become the first of them. `third`: as above. */
+  /** Finds MergedPoints: points at one of `places` (CoincidentPoints.h) with equal values become the first of them. `third`: as above. */
   void MergePoints(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
     const std::vector<float>& third);
   /** Neighbours, each with the vertex that it has behind the face, so that a step of a walk needs no other number. */
