@@ -76,10 +76,9 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
   this->HasOtherPoints = false;
   if (this->DividesHexahedra)
   {
-    const std::vector<CornerLink> links = cornerLinks(neighbors.Neighbors);
-    this->HasOtherPoints = std::any_of(links.begin(), links.end(),
-      [](const CornerLink& link) { return link[0] >= 0 && (link[0] & 1) != 0; });
-    upload(this->Neighbors, links, 2, VTK_INT);
+    this->HasOtherPoints = std::any_of(neighbors.Neighbors.begin(), neighbors.Neighbors.end(),
+      [](std::int32_t link) { return link >= 0 && (link & 1) != 0; });
+    upload(this->Neighbors, neighbors.Neighbors, 1, VTK_INT);
     upload(this->Hexahedra, mergedVertices(geometry, neighbors), 1, VTK_INT);
   }
   else if (this->HasHexahedra)

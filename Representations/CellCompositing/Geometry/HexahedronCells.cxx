@@ -94,7 +94,7 @@ bool CellGeometry::UseDividedHexahedra(vtkDataSet* data, const ScalarSelection& 
   vtkUnsignedCharArray* divisions = this->Divisions
     ? this->Divisions.Get()
     : vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(divisionName));
-  if (!divisions || this->LayerArray || data->GetNumberOfCells() > mostLinkedHexahedra)
+  if (!divisions || this->LayerArray || data->GetNumberOfCells() > mostDividedHexahedra)
   {
     return false;
   }

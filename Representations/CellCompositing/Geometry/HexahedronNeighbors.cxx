@@ -142,7 +142,7 @@ private:
     }
   }
 
-  // As ListedHexahedra.glsl reads it; None where the two cells divide the face in different ways.
+  // None where the two cells divide the face in different ways.
   std::int32_t LinkFrom(const OpenQuadrilateral& f, const OpenQuadrilateral& g) const
   {
     const Quadrilateral places = this->PlacesOf(f.Cell, f.Face);
@@ -166,8 +166,11 @@ private:
         }
         if (fits)
         {
-          return Packed(g.Cell, across[start], turned != 0 ? second : first,
-            turned != 0 ? first : second, !same);
+          const std::array<int, 2> axes = { { turned != 0 ? second : first,
+            turned != 0 ? first : second } };
+          return this->Geometry.DividesHexahedra
+            ? PackedForDivided(g.Cell, f.Face, across[start], axes, !same)
+            : Packed(g.Cell, across[start], axes[0], axes[1], !same);
         }
       }
     }
@@ -175,11 +178,26 @@ private:
                                            : Packed(g.Cell, across[0], first, second, true);
   }
 
+  // As ListedHexahedra.glsl reads it.
   static std::int32_t Packed(
     std::int32_t cell, std::size_t start, int first, int second, bool reload)
   {
     const int order = 2 * first + (second == (first + 1) % 3 ? 0 : 1);
     return ((cell * 6 + order) * 8 + std::int32_t(start)) * 2 + (reload ? 1 : 0);
+  }
+
+  // As DividedHexahedra.glsl reads it: into which corner of the other cell each corner of this one is turned (by offset and axes).
+  static std::int32_t PackedForDivided(
+    std::int32_t cell, int face, std::size_t start, const std::array<int, 2>& axes, bool reload)
+  {
+    const int across = face >> 1, ahead = 3 - axes[0] - axes[1];
+    std::array<int, 3> to;
+    to[across == 0 ? 1 : 0] = axes[0];
+    to[across == 2 ? 1 : 2] = axes[1];
+    to[across] = ahead;
+    const int offset = static_cast<int>(start) ^ ((face & 1) != 0 ? 1 << ahead : 0);
+    const int turns = 2 * to[0] + (to[1] == (to[0] + 1) % 3 ? 0 : 1);
+    return cell << 7 | turns << 4 | offset << 1 | (reload ? 1 : 0);
   }
 
   const CellGeometry& Geometry;
@@ -258,40 +276,6 @@ void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
     }
   }
 }
-
-CornerLink cornerLink(std::int32_t link, int face)
-{
-  if (link < 0)
-  {
-    return { { link, 0 } };
-  }
-  const int numbers = link >> 4, order = numbers % 6, start = link >> 1 & 7;
-  const int first = order >> 1, second = (first + 1 + (order & 1)) % 3;
-  const int ahead = 7 ^ 1 << first ^ 1 << second;
-  const int axis = 1 << (face >> 1), oldFirst = axis == 1 ? 2 : 1, oldSecond = axis == 4 ? 2 : 4;
-  std::int32_t corners = 0;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    const bool isInFace = ((corner & axis) != 0) == ((face & 1) != 0);
-    const int across = start ^ ((corner & oldFirst) != 0 ? 1 << first : 0) ^
-      ((corner & oldSecond) != 0 ? 1 << second : 0) ^ (isInFace ? 0 : ahead);
-    corners |= across << 4 * corner;
-  }
-  return { { 2 * (numbers / 6) + (link & 1), corners } };
-}
-}
-
-std::vector<CornerLink> cornerLinks(const std::vector<std::int32_t>& neighbors)
-{
-  std::vector<CornerLink> links(neighbors.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(links.size()), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      links[static_cast<std::size_t>(i)] =
-        cornerLink(neighbors[static_cast<std::size_t>(i)], static_cast<int>(i % 6));
-    }
-  });
-  return links;
 }
 
 bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
@@ -311,7 +295,7 @@ bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neigh
   }
   else
   {
-    neighbors.MergedPoints = places;
+    neighbors.MergePlaces(places);
   }
   if (!HexahedronLinks(geometry, places, neighbors).Find(progress.Part(0.3, 1)))
   {

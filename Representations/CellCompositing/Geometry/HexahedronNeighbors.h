@@ -13,7 +13,6 @@
 #include "CellGeometry.h"
 #include "TetrahedronNeighbors.h"
 
-#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -22,6 +21,7 @@ namespace nephoscope
 {
 
 constexpr std::int64_t mostLinkedHexahedra = std::numeric_limits<std::int32_t>::max() / 96;
+constexpr std::int64_t mostDividedHexahedra = std::numeric_limits<std::int32_t>::max() / 128;
 
 /**
  * Neighbours and boundary faces of the hexahedra. Points at one place get the position of the first of them. `third`: as for
@@ -29,16 +29,6 @@ constexpr std::int64_t mostLinkedHexahedra = std::numeric_limits<std::int32_t>::
  */
 bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
   const std::vector<float>& third = {}, const Progress& progress = {});
-
-/**
- * A neighbour as the walk through divided hexahedra reads it. The first number is twice the neighbour's cell, plus 1 where it has other
- * points in the common face, or negative where there is no neighbour. The second has four bits for each corner of this cell: the corner of
- * the neighbour that is the same point in the common face, or that lies behind the face where the corner of this cell lies before it.
- */
-using CornerLink = std::array<std::int32_t, 2>;
-
-/** From six neighbours per hexahedron. */
-std::vector<CornerLink> cornerLinks(const std::vector<std::int32_t>& neighbors);
 
 } // namespace nephoscope
 

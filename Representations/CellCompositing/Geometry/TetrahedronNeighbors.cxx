@@ -66,21 +66,32 @@ void TetrahedronNeighbors::Build(
   this->ListBoundary(geometry);
 }
 
+void TetrahedronNeighbors::MergePlaces(const std::vector<std::int32_t>& places)
+{
+  std::int32_t point = 0;
+  const bool apart = std::all_of(
+    places.begin(), places.end(), [&point](std::int32_t place) { return place == point++; });
+  this->MergedPoints = apart ? std::vector<std::int32_t>() : places;
+}
+
 void TetrahedronNeighbors::MergePoints(const CellGeometry& geometry,
   const std::vector<std::int32_t>& places, const std::vector<float>& third)
 {
-  const std::size_t n = geometry.Points.size();
-  this->MergedPoints.resize(n);
+  this->MergePlaces(places);
+  if (this->MergedPoints.empty())
+  {
+    return;
+  }
   std::iota(this->MergedPoints.begin(), this->MergedPoints.end(), 0);
   std::vector<std::int32_t> coincident; // all but the first of each place
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
     if (places[i] != std::int32_t(i))
     {
       coincident.push_back(std::int32_t(i));
     }
   }
-  this->DependOnValues = !coincident.empty();
+  this->DependOnValues = true;
   const bool second = geometry.HasOpacityScalars && !geometry.OpacityOnCells;
   const auto values = [&](std::int32_t p) {
     const float scalar =

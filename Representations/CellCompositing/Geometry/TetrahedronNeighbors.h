@@ -44,13 +44,15 @@ struct TetrahedronNeighbors
   std::vector<std::array<std::int32_t, 4>> BoundaryFaces;
   std::size_t NumberOfJumps = 0; ///< at the end of them
 
-  std::vector<std::int32_t> MergedPoints; ///< number that stands for each point
+  std::vector<std::int32_t>
+    MergedPoints; ///< number that stands for each point; empty where none is at the place of another
   bool DependOnValues =
     false; ///< there are points at the same place, which are merged where their values are equal
 
   std::int32_t Merged(std::int64_t point) const
   {
-    return this->MergedPoints[static_cast<std::size_t>(point)];
+    return this->MergedPoints.empty() ? static_cast<std::int32_t>(point)
+                                      : this->MergedPoints[static_cast<std::size_t>(point)];
   }
 
   /** `third`: more values of points, or none. Where the mesh is folded, the ray leaves the one tetrahedron and enters the other anew. */
@@ -60,6 +62,8 @@ struct TetrahedronNeighbors
   /** Finds MergedPoints: points at one of `places` (CoincidentPoints.h) with equal values become the first of them. `third`: as above. */
   void MergePoints(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
     const std::vector<float>& third);
+  /** The same, whatever the values are. */
+  void MergePlaces(const std::vector<std::int32_t>& places);
   /** Neighbours, each with the vertex that it has behind the face, so that a step of a walk needs no other number. */
   std::vector<std::array<std::int32_t, 2>> WithNextVertices(const CellGeometry& geometry) const;
 

@@ -4,7 +4,7 @@
 // four even vertices, and one at each odd vertex. The vertices of the walk are corners of the present cell by bits (HexahedronCells.h): along an axis
 // from a corner is its exclusive-or with the axis. Odd corners have an odd number of bits.
 uniform IntegerArray hexahedra; // eight vertices per cell
-uniform IntegerArray neighbors; // six per cell, -1 for none, and how their corners lie: CornerLink of HexahedronNeighbors.h
+uniform IntegerArray neighbors; // six per cell, -1 for none (HexahedronNeighbors.cxx)
 
 int cellOf = 0;           // the present cell
 int oddVertex = -1;       // of the present tetrahedron; -1: the one between even vertices
@@ -38,6 +38,16 @@ void enterPlace(ivec4 place)
   oddVertex = place.w;
 }
 
+// For each corner of this cell, in four bits, a corner of the neighbour: the same point in their common face, and across it where this one lies
+// on this side.
+int turnedCorners(int link)
+{
+  int first = (link >> 5) & 3;
+  int second = first + 1 + ((link >> 4) & 1);
+  second = second > 2 ? second - 3 : second;
+  return (((link >> 1) & 7) * 0x11111111) ^ (0x10101010 << first) ^ (0x11001100 << second) ^ (0x11110000 << (3 - first - second));
+}
+
 // Goes into the tetrahedron on the other side of the face `face` of the present one, whose fourth vertex is `left`. False: there is none.
 bool crossFace(inout ivec3 face, int left, out int next)
 {
@@ -50,15 +60,16 @@ bool crossFace(inout ivec3 face, int left, out int next)
     return true;
   }
   int axis = oddVertex ^ left;
-  ivec2 link = element(neighbors, 6 * cellOf + (axis & 6) + ((oddVertex & axis) != 0 ? 1 : 0)).rg;
-  if (link.x < 0)
+  int link = element(neighbors, 6 * cellOf + (axis & 6) + ((oddVertex & axis) != 0 ? 1 : 0)).r;
+  if (link < 0)
   {
     return false;
   }
-  cellOf = link.x >> 1;
-  otherPoints = (link.x & 1) != 0;
-  face = (ivec3(link.y) >> (4 * face)) & 7;
-  next = (link.y >> (4 * left)) & 7;
-  oddVertex = (link.y >> (4 * oddVertex)) & 7;
+  cellOf = link >> 7;
+  otherPoints = (link & 1) != 0;
+  int across = turnedCorners(link);
+  face = (ivec3(across) >> (4 * face)) & 7;
+  next = (across >> (4 * left)) & 7;
+  oddVertex = (across >> (4 * oddVertex)) & 7;
   return true;
 }
