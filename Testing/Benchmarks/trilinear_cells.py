@@ -1,11 +1,11 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The trilinear field of hexahedra against their tetrahedra: frames, memory and how much the same cells differ as a grid and as unstructured data.
+"""The trilinear field of hexahedra against their tetrahedra: frames, and how much the same cells differ as a grid and as unstructured data.
 
     ./nephoscope bench
 
-Seconds are processor time of the whole process, software OpenGL included: the first frame, and the median of a moving camera. Memory is what
-the process has grown by from before the mapper was made until after the first frame, without the images; each case in a process of its own.
+Seconds are processor time of the whole process, software OpenGL included: the first frame, and the median of a moving camera; each case in a
+process of its own. memory_of_cells.py measures memory.
 """
 import os
 import subprocess
@@ -28,11 +28,6 @@ from nephoscope_testing.weather import cloud_scene, forecast_globe
 
 SIZE, MOVES = 1024, 6
 CASES = ("grid, tetrahedra", "grid, trilinear", "hexahedra, tetrahedra", "hexahedra, trilinear", "peer")
-
-
-def resident():
-    with open("/proc/self/statm") as file:
-        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
 def seconds(window):
@@ -74,14 +69,10 @@ def measure(case, file):
     warm_up(case)
     globe = forecast_globe()
     globe.GetPointData().SetActiveScalars("cloud_fraction")
-    cells = globe.GetNumberOfCells()
     data = converted(globe, case)
     made = mapper_for(data, case)
     renderer, window = cloud_scene(made, 2e5, SIZE)
-    before = resident()
     first = seconds(window)
-    images = SIZE * SIZE * (16 + 16 + 8 + 4 + 4)
-    memory = max(resident() - before - images, 0) / cells
     renderer.GetActiveCamera().Elevation(35)
     moving = []
     for _ in range(MOVES):
@@ -90,7 +81,7 @@ def measure(case, file):
         moving.append(seconds(window))
     if case != "peer":
         np.save(file, float_image(made))
-    print(f"| {case} | {first:.2f} | {sorted(moving)[MOVES // 2]:.2f} | {memory:.0f} |", flush=True)
+    print(f"| {case} | {first:.2f} | {sorted(moving)[MOVES // 2]:.2f} |", flush=True)
 
 
 def compare(folder, one, other):
@@ -104,7 +95,7 @@ def main():
     if len(sys.argv) > 2:
         measure(CASES[int(sys.argv[1])], sys.argv[2])
         return
-    print(f"| GFS globe, {SIZE} x {SIZE} | first s | moving s | bytes per cell |\n|---|---|---|---|", flush=True)
+    print(f"| GFS globe, {SIZE} x {SIZE} | first s | moving s |\n|---|---|---|", flush=True)
     with tempfile.TemporaryDirectory() as folder:
         for number in range(len(CASES)):
             subprocess.run([sys.executable, __file__, str(number), os.path.join(folder, f"{number}.npy")], check=True)
