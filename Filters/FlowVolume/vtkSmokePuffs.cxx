@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSmokePuffs.h"
 
+#include "ChangeOfInput.h"
 #include "EmptyInput.h"
 #include "OwnThreads.h"
 #include "PointDensity.h"
 #include "PuffPulse.h"
 #include "RequiredInput.h"
+#include "SmokeData.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -42,11 +44,13 @@ struct InputTime
     this->Varies = steps > 1 || (steps == 0 && range && range[0] < range[1]);
     this->HasStep = steps == 1;
     this->Start = this->HasStep ? info->Get(SDDP::TIME_STEPS())[0] : range ? range[0] : 0.0;
+    this->Length = range ? range[1] - range[0] : 0.0;
   }
 
   bool Varies = false;
   bool HasStep = false; // exactly one
   double Start = 0.0;
+  double Length = 0.0; // from the first time to the last
 };
 
 std::string ArrayNames(vtkDataSetAttributes* attributes)
@@ -278,8 +282,7 @@ int vtkSmokePuffs::RequestData(
   pulse.Period = this->Period;
   if (!(this->Period > 0.0))
   {
-    pulse.Period = AutomaticPeriod(
-      LargestOfRanks(OldestAge(input)), LargestOfRanks(TimeStepOf(input)), this->Width);
+    pulse.Period = this->FindPeriod(input, inputs[0]->GetInformationObject(0));
   }
   pulse.Floor = this->Floor;
   pulse.Scale = this->Normalization == MEAN ? 1.0 / pulse.Mean() : 1.0;
@@ -295,6 +298,23 @@ int vtkSmokePuffs::RequestData(
     this->AddSmokeDensity(output, pulse, time);
   }
   return 1;
+}
+
+// Found once for all time steps of a series: puffs of another period would be elsewhere. Unsteady smoke grows until it is as old as the series is long.
+double vtkSmokePuffs::FindPeriod(vtkUnstructuredGrid* smoke, vtkInformation* inInfo)
+{
+  const vtkMTimeType change = nephoscope::changeOfInput(this);
+  const double oldest = LargestOfRanks(OldestAge(smoke));
+  const double step = LargestOfRanks(TimeStepOf(smoke));
+  if (LargestOfRanks(change != this->Change || this->FoundAge == 0.0 ? 1.0 : 0.0) > 0.0)
+  {
+    this->Change = change;
+    this->FoundAge = oldest;
+    this->FoundStep = step;
+  }
+  const bool grows = LargestOfRanks(nephoscope::initialSmokeDensity(smoke)) > 0.0;
+  const double whole = grows ? InputTime(inInfo).Length * this->TimeScale : 0.0;
+  return AutomaticPeriod(std::max(this->FoundAge, whole), this->FoundStep, this->Width);
 }
 
 void vtkSmokePuffs::WarnOfShortPuffs(vtkUnstructuredGrid* smoke, const nephoscope::PuffPulse& pulse)

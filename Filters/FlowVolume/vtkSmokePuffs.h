@@ -70,7 +70,8 @@ public:
   ///@{
   /**
    * Time from one puff to the next, in seconds of the flow. 0 (default): a quarter of the greatest Age of the input, so that
-   * about four puffs are visible.
+   * about four puffs are visible. It is found at the first time of a series that is asked for, and kept at other times until the input changes otherwise; of unsteady smoke
+   * it is a quarter of the time range of the series, or of that greatest Age if it is greater.
    */
   vtkSetClampMacro(Period, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Period, double);
@@ -159,6 +160,7 @@ private:
   double TimeScale = 1.0;
   double ActualPeriod = 0.0;
 
+  double FindPeriod(vtkUnstructuredGrid* smoke, vtkInformation* inInfo);
   void AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo) const;
   void AskForTime(vtkInformation* inInfo, vtkInformation* outInfo) const;
   void AddSmokeDensity(
@@ -166,6 +168,9 @@ private:
 
   std::unique_ptr<nephoscope::PointDensity> Averages;
   void WarnOfShortPuffs(vtkUnstructuredGrid* smoke, const nephoscope::PuffPulse& pulse);
+  vtkMTimeType Change = 0;                    // of the input, for which the next two were found
+  double FoundAge = 0.0;                      // the greatest, s
+  double FoundStep = 0.0;                     // time between two layers of smoke, s
   double ToldPeriodAndStep[2] = { 0.0, 0.0 }; // for WarnOfShortPuffs
 
   vtkMTimeType ToldOfInput = 0; // for hasOtherInput

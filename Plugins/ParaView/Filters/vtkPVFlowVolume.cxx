@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPVFlowVolume.h"
 
+#include "ChangeOfInput.h"
 #include "VelocityChoice.h"
 #include "VelocityFields.h"
 #include "vtkFlowVolumePlacement.h"
@@ -115,7 +116,9 @@ int vtkPVFlowVolume::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
   const double diagonal = DiagonalOfAllRanks(input);
-  const bool isOther = std::abs(diagonal - this->Diagonal) > otherData * this->Diagonal;
+  const bool isOther =
+    this->IsOtherInput() && std::abs(diagonal - this->Diagonal) > otherData * this->Diagonal;
+  this->Diagonal = this->Diagonal > 0.0 && !isOther ? diagonal : this->Diagonal;
   if (this->FollowData && isOther && this->GetNumberOfInputConnections(1) == 0 &&
     this->IsWhereItWasPlaced())
   {
@@ -128,6 +131,19 @@ int vtkPVFlowVolume::RequestData(
     }
   }
   return this->Superclass::RequestData(request, inputs, outputs);
+}
+
+// Other data, not another time step of the same series: the polygon of a film stays where it is. Collective.
+bool vtkPVFlowVolume::IsOtherInput()
+{
+  const vtkMTimeType now = nephoscope::changeOfInput(this);
+  int isOther = now != this->Change ? 1 : 0, isOtherAnywhere = isOther;
+  this->Change = now;
+  if (auto controller = vtkMultiProcessController::GetGlobalController())
+  {
+    controller->AllReduce(&isOther, &isOtherAnywhere, 1, vtkCommunicator::MAX_OP);
+  }
+  return isOtherAnywhere != 0;
 }
 
 bool vtkPVFlowVolume::IsWhereItWasPlaced()

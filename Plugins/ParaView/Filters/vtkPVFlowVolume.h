@@ -5,7 +5,7 @@
  * @brief vtkFlowVolume with an initial position for ParaView's panel
  *
  * The smoke is that of vtkFlowVolume. The polygon stays in fast flow until the user moves it: an update places it again if the bounds
- * of the input have changed. On several ranks FindPlace must be called on all of them, as ParaView does.
+ * of the input have changed otherwise than with the time. On several ranks FindPlace must be called on all of them, as ParaView does.
  */
 #ifndef vtkPVFlowVolume_h
 #define vtkPVFlowVolume_h
@@ -31,7 +31,7 @@ public:
   void FindPlace();
 
   ///@{
-  /** Places the polygon again when the bounds of the input change, as long as Center, Radius and Normal are those found automatically. Default: on. */
+  /** Places the polygon again when the bounds of the input change otherwise than with the time, as long as Center, Radius and Normal are those found automatically. Default: on. */
   void SetFollowData(bool follow) { this->FollowData = follow; }
   bool GetFollowData() const { return this->FollowData; }
   ///@}
@@ -60,10 +60,12 @@ private:
   void operator=(const vtkPVFlowVolume&) = delete;
 
   void FindPlaceIn(vtkDataObject* input);
+  bool IsOtherInput();
   bool IsWhereItWasPlaced();
 
   bool FollowData = true;
-  double Diagonal = 0.0; // of the data in which it was placed; 0: not yet
+  double Diagonal = 0.0;   // of the data in which it was placed; 0: not yet
+  vtkMTimeType Change = 0; // of the input, at the last update
   double PlaceCenter[3] = { 0.0, 0.0, 0.0 };
   double PlaceNormal[3] = { 0.0, 0.0, 1.0 };
   double PlaceRadius = 0.0;
