@@ -52,6 +52,7 @@ struct FlowVolumeState : SeriesReading
 {
   std::shared_ptr<const FlowField> Field; // of the last input
   StreakState Streak;
+  vtkMTimeType ToldOfNoSmoke = 0; // of the pipeline, when it was told
 };
 }
 

@@ -351,6 +351,7 @@ private:
   bool BeginStreak(vtkPolyData* given);
   bool AdvanceStreak();
   bool HasTimeSteps() const;
+  void TellOfNoSmokeYet();
   void EndSeries(vtkInformation* request);
   std::unique_ptr<nephoscope::VelocityField> StreakVelocity() const;
   void SampleStreakArrays(const nephoscope::SmokeMesh& mesh, vtkPointData* arrays);

@@ -210,10 +210,29 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
     return;
   }
   state.End(request);
-  if (streak.Volume)
+  if (this->RequestedSeconds() <= this->StartSeconds())
+  {
+    this->TellOfNoSmokeYet();
+  }
+  else if (streak.Volume)
   {
     this->WriteStreak(output);
   }
+}
+
+// Once for a series: an animation comes back to its beginning.
+void vtkFlowVolume::TellOfNoSmokeYet()
+{
+  auto& state = *this->State;
+  if (state.ToldOfNoSmoke == state.Streak.MTime)
+  {
+    return;
+  }
+  state.ToldOfNoSmoke = state.Streak.MTime;
+  vtkWarningMacro("There is no smoke at time "
+    << state.Requested << ": unsteady smoke leaves the generating polygon from time "
+    << std::max(this->StartTime, state.Times.front())
+    << " on, and needs time to grow. Play the animation, choose a later time, or switch Unsteady off.");
 }
 
 void vtkFlowVolume::EndSeries(vtkInformation* request)
@@ -340,10 +359,6 @@ void vtkFlowVolume::WriteStreak(vtkUnstructuredGrid* output)
 {
   const auto& streak = this->State->Streak;
   const double requested = this->RequestedSeconds();
-  if (requested <= this->StartSeconds())
-  {
-    return; // no smoke yet
-  }
   auto mesh = this->StreakMeshAt(requested);
   if (mesh.Report.EmittedMass == 0.0)
   {

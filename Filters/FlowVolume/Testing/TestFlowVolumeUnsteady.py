@@ -83,8 +83,10 @@ class Streakline(unittest.TestCase):
         self.assertAlmostEqual(smoke.mass() / smoke.made.GetEmittedMass(), 1, places=12)
 
     def test_nothing_has_come_yet(self):
+        """Which is told, with the time from which it comes and the remedy."""
         for time in (-1, 0, 0.3):
-            self.assertEqual(len(follow(series(circling), time, StartTime=0.3).cells), 0)
+            told = f"no smoke at time {time}: unsteady smoke leaves the generating polygon from time 0.3 on, and needs time to grow. Play"
+            self.assertEqual(len(follow(series(circling), time, messages=(told,), StartTime=0.3).cells), 0)
 
     def test_flow_that_turns_back(self):
         """Smoke that comes out on either side has positive volume and the mass of the flow."""

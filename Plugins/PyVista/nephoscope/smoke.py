@@ -22,7 +22,7 @@ from ._typing import Numbers
 _NAMES = {"move the polygon there, by Center if it is regular": "pass that as center, or move the polygon there", "switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
-          "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
+          "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Play the animation, choose a later time": "Choose a later time", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
           "Choose a velocity:": "Choose a velocity by vectors:", "(ObstacleMass)": "(smoke.field_data['ObstacleMass'])", "Period": "period"}
 
 
