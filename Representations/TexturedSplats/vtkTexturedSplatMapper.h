@@ -191,6 +191,12 @@ public:
   void SuitVectorsToMedium(bool opacity = true, bool share = true);
 
   /**
+   * Sets VectorColor, and UseVectorColor on, so that vectors stand out from the background and from all colours that the property gives the medium: in black, white or
+   * orange or, where the medium has all of them, in green, magenta, cyan or yellow.
+   */
+  void SuitVectorColor(vtkVolumeProperty* property, const double background[3]);
+
+  /**
    * VectorUnit, or the value that would be used for the present input if it is 0; 0 without an array of vectors. To keep the pictures of a film comparable, call
    * SetVectorUnit with it.
    */

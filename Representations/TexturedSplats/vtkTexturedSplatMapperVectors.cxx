@@ -3,17 +3,58 @@
 // The vectors of vtkTexturedSplatMapper: what the drawing needs of their settings, and how they move.
 #include "vtkTexturedSplatMapper.h"
 
+#include "ContrastingColor.h"
 #include "RoundTime.h"
 #include "SplatPass.h"
 #include "SplatVectorScene.h"
 
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
+
+namespace
+{
+// Even samples of the colours from one end of the transfer function to the other.
+std::vector<nephoscope::StreakColor> colorsOf(vtkVolumeProperty* property)
+{
+  constexpr int samples = 256;
+  const bool hasColors = property->GetColorChannels() == 3;
+  double range[2];
+  std::copy_n(hasColors ? property->GetRGBTransferFunction()->GetRange()
+                        : property->GetGrayTransferFunction()->GetRange(),
+    2, range);
+  std::vector<nephoscope::StreakColor> colors(samples);
+  for (int i = 0; i < samples; ++i)
+  {
+    const double x = range[0] + (range[1] - range[0]) * i / (samples - 1);
+    if (hasColors)
+    {
+      property->GetRGBTransferFunction()->GetColor(x, colors[i].data());
+    }
+    else
+    {
+      colors[i].fill(property->GetGrayTransferFunction()->GetValue(x));
+    }
+  }
+  return colors;
+}
+}
+
+void vtkTexturedSplatMapper::SuitVectorColor(
+  vtkVolumeProperty* property, const double background[3])
+{
+  const nephoscope::StreakColor color = nephoscope::ContrastingColor(
+    { { background[0], background[1], background[2] } }, colorsOf(property));
+  this->SetVectorColor(color[0], color[1], color[2]);
+  this->SetUseVectorColor(true);
+}
 
 nephoscope::SplatVectorSettings vtkTexturedSplatMapper::GetVectorSettings()
 {

@@ -7,6 +7,7 @@ import re
 import nephoscope
 import numpy as np
 from PluginTesting import GFS, SIZE, check, compose, image, load_plugin, new_view, passed, pvs, save_image, servermanager
+from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 
 
 def shown(view, name):
@@ -281,6 +282,19 @@ def settings_of(display, *names):
     return [float(re.search(rf"{name}: ([-+.e0-9]+)", text)[1]) for name in names]
 
 
+def check_vector_color(display, mapper):
+    """That of Python, and far from the background and from every colour of the medium."""
+    colors = pvs.GetColorTransferFunction("RTData").GetClientSideObject()
+    prop = vtkVolumeProperty()
+    prop.SetColor(colors)
+    mapper.SuitVectorColor(prop, (0, 0, 0))
+    text = str(display.SMProxy.GetProperty("TexturedSplatsVectorOpacity").GetParent().GetClientSideObject())
+    found = np.array(re.search(r"VectorColor: (\S+) (\S+) (\S+)", text).groups(), float)
+    medium = np.array([(colors.GetRedValue(x), colors.GetGreenValue(x), colors.GetBlueValue(x)) for x in np.linspace(*colors.GetRange(), 100)] + [(0, 0, 0)])
+    check(np.allclose(found, mapper.GetVectorColor()), f"streaks have the colour {found}, in Python {mapper.GetVectorColor()}")
+    check(np.linalg.norm(medium - found, axis=1).min() > 0.35, f"the colour of streaks, {found}, is one of the medium")
+
+
 def check_vectors():
     """Vectors suit the medium that they are chosen beside, as in Python; what is set stays."""
     source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-12, 12] * 3), ResultArrayName="v", Function="-coordsY*iHat+coordsX*jHat+3*kHat")
@@ -298,6 +312,7 @@ def check_vectors():
     found = settings_of(display, "VectorOpacity", "VectorFraction", "UseVectorColor")
     expected = [mapper.GetVectorOpacity(), mapper.GetVectorShare(), 1]
     check(expected[1] < 0.9 and all(math.isclose(a, b, rel_tol=0.01) for a, b in zip(found, expected)), f"vectors: {found}, in Python {expected}")
+    check_vector_color(display, mapper)
     function = pvs.GetOpacityTransferFunction("RTData")
     points = list(function.Points)
     function.Points = [value if i % 4 != 1 else 0.0 for i, value in enumerate(points)]

@@ -6,7 +6,6 @@ import unittest
 import nephoscope
 import numpy as np
 import pyvista
-from nephoscope._vectors import _contrasting
 from plotters import PlotterTestCase
 from pyvista.core.errors import MissingDataError
 
@@ -32,10 +31,16 @@ class Splats(PlotterTestCase):
         for cmap in ("RdBu", "coolwarm", "autumn", "hot", "viridis", "Greens", "gray"):
             for background in ((0, 0, 0), (0.3, 0.3, 0.3), (1, 1, 1)):
                 colours = pyvista.LookupTable(cmap).values[:, :3] / 255.0
-                chosen = np.array(_contrasting(background, colours))
+                chosen = np.array(self.colour_of_streaks(background, cmap=cmap))
                 nearest = np.linalg.norm(np.vstack([background, colours]) - chosen, axis=1).min()
                 self.assertGreater(nearest, 0.35, (cmap, background, chosen))
-        self.assertEqual(_contrasting((0, 0, 0), np.ones((256, 3))), pyvista.Color("orangered").float_rgb)
+        self.assertEqual(self.colour_of_streaks((0, 0, 0), color="white", scalars=None), pyvista.Color("orangered").float_rgb)
+
+    def colour_of_streaks(self, background, **options):
+        self.plotter.background_color = background
+        mapper = self.add(**options, vectors="wind").mapper
+        self.assertTrue(mapper.GetUseVectorColor())
+        return mapper.GetVectorColor()
 
     def add(self, mesh=None, scalars="x", **options):
         return nephoscope.add_splats(self.plotter, box() if mesh is None else mesh, scalars, render=False, **options)

@@ -21,27 +21,11 @@ from .transfer import colour_function
 
 ALONE = 2.0  # optical depth of the fastest streaks
 LONG, TOLD = 1.25, 2.0  # times the length that 99 % of the vectors do not exceed: longer ones are drawn as if they were that long, and a warning tells it
-COLOURS = ("black", "white", "orangered")
-LOUDER = (*COLOURS, "lime", "magenta", "cyan", "yellow")
-NEAR = 0.35  # in RGB: a colour of the medium from which streaks are hardly told
 
 
 def is_drawn(opacity: Any) -> bool:
     node = [0.0] * 4
     return any(opacity.GetNodeValue(i, node) and node[1] > 0 for i in range(opacity.GetSize()))
-
-
-def _contrasting(background: Numbers, colours: np.ndarray) -> tuple[float, float, float]:
-    """The colour in `COLOURS` that contrasts best with the background and with the mean colour of the medium; if the medium has that colour somewhere, the one
-    that is farthest from all its colours, and not in `LOUDER` unless it must."""
-    def distance(choice: tuple[float, float, float], others: np.ndarray) -> float:
-        return float(np.linalg.norm(others - choice, axis=1).min())
-
-    usual, louder = ([pyvista.Color(name).float_rgb for name in names] for names in (COLOURS, LOUDER))
-    mean, everywhere = np.array([background, colours.mean(axis=0)]), np.vstack([background, colours])
-    by_mean = max(usual, key=lambda choice: distance(choice, mean))
-    apart, loudest = (max(choices, key=lambda choice: distance(choice, everywhere)) for choices in (usual, louder))
-    return next((choice for choice in (by_mean, apart) if distance(choice, everywhere) >= NEAR), loudest)
 
 
 def _with_arrays(step: pyvista.DataSet, drawn: pyvista.DataSet) -> pyvista.DataSet:
@@ -183,8 +167,7 @@ class Vectors:
         in_medium = is_drawn(prop.GetScalarOpacity())
         mapper.SuitVectorsToMedium(in_medium and self.opacity is None, self.fraction is None and self.style == "streaks")
         if in_medium and self.color is None and self.scalars is None:
-            mapper.SetVectorColor(_contrasting(plotter.background_color.float_rgb, np.asarray(mapper.lookup_table.values)[:, :3] / 255.0))
-            mapper.SetUseVectorColor(True)
+            mapper.SuitVectorColor(prop, plotter.background_color.float_rgb)
 
     def add_bar(self, plotter: pyvista.BasePlotter, bar_args: dict | None) -> None:
         """Adds a scalar bar for vectors with their own colour array. It is vertical if there is a horizontal bar, because PyVista places horizontal bars too close for

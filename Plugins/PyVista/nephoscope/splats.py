@@ -176,7 +176,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
           warning.
         - ``opacity``: optical depth of the streaks of the longest vectors, >= 0; other streaks are proportional to the length of their vectors.
           Default: 2 for vectors alone; in a medium the value that gives vectors of mean length 0.6, clamped to 0.8 to 2.
-        - ``color``: one colour for all vectors. Default: in a medium black, white or orange, whichever contrasts best; without a medium the
+        - ``color``: one colour for all vectors. Default: in a medium black, white or orange, whichever contrasts best, or another strong colour if the medium has these; without a medium the
           colour of the splats.
         - ``scalars``, ``cmap``, ``clim``: array that colours the vectors independently of the splats, for example altitude; its magnitude if it
           has several components. Its colour map and range are given as for `cmap` and `clim`.

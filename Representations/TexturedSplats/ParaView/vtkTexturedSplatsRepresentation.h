@@ -98,7 +98,7 @@ public:
   ///@}
 
   ///@{
-  /** Draw all vectors in VectorColor. Automatic (default): beside a medium in black, white or orange, whichever stands out. */
+  /** Draw all vectors in VectorColor. Automatic (default): beside a medium in a colour that stands out, see vtkTexturedSplatMapper::SuitVectorColor. */
   enum VectorColorChoice
   {
     COLOR_OF_SPLATS = 0,

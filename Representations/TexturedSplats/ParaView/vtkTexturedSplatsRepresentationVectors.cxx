@@ -11,13 +11,11 @@
 #include "SplatVectorBounds.h"
 #include "vtkTexturedSplatMapper.h"
 
-#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
-#include "vtkMath.h"
 #include "vtkPVLODVolume.h"
 #include "vtkPVRenderView.h"
 #include "vtkPiecewiseFunction.h"
@@ -30,8 +28,6 @@
 
 namespace
 {
-using Color = std::array<double, 3>;
-
 // Travels with the data, so that every time step keeps its own.
 const char* const suitedName = "NephoscopeSuitedVectors";
 
@@ -40,39 +36,6 @@ double storedNumber(vtkDataSet* data, vtkIdType index, double otherwise)
   vtkDataArray* numbers = data ? data->GetFieldData()->GetArray(suitedName) : nullptr;
   return numbers && numbers->GetNumberOfTuples() > index ? numbers->GetComponent(index, 0)
                                                          : otherwise;
-}
-
-Color meanColor(vtkVolumeProperty* property)
-{
-  constexpr int samples = 16;
-  auto* function = property->GetColorChannels() == 3 ? property->GetRGBTransferFunction() : nullptr;
-  Color mean{};
-  double range[2] = { 0.0, 1.0 };
-  if (function)
-  {
-    function->GetRange(range);
-  }
-  for (int i = 0; i < samples && function; ++i)
-  {
-    double color[3];
-    function->GetColor(range[0] + (range[1] - range[0]) * i / (samples - 1), color);
-    std::transform(mean.begin(), mean.end(), color, mean.begin(),
-      [](double a, double b) { return a + b / samples; });
-  }
-  return mean;
-}
-
-// Black, white or orange: that which stands out best from both.
-Color contrasting(const Color& background, const Color& medium)
-{
-  const Color choices[] = { { { 0.0, 0.0, 0.0 } }, { { 1.0, 1.0, 1.0 } },
-    { { 1.0, 69.0 / 255.0, 0.0 } } };
-  const auto contrast = [&](const Color& color) {
-    return std::min(vtkMath::Distance2BetweenPoints(color.data(), background.data()),
-      vtkMath::Distance2BetweenPoints(color.data(), medium.data()));
-  };
-  return *std::max_element(std::begin(choices), std::end(choices),
-    [&](const Color& a, const Color& b) { return contrast(a) < contrast(b); });
 }
 }
 
@@ -150,16 +113,14 @@ void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
                                                            : alone);
   const bool contrasts = this->UseVectorColor == AUTOMATIC_COLOR && medium &&
     this->Mapper->GetVectorColorArrayName().empty();
-  Color color = this->VectorColor;
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (contrasts && view)
   {
-    Color background;
-    view->GetRenderer()->GetBackground(background.data());
-    color = contrasting(background, meanColor(this->Actor->GetProperty()));
+    this->Mapper->SuitVectorColor(this->Actor->GetProperty(), view->GetRenderer()->GetBackground());
+    return;
   }
-  this->Mapper->SetUseVectorColor(contrasts || this->UseVectorColor == ONE_COLOR);
-  this->Mapper->SetVectorColor(color.data());
+  this->Mapper->SetUseVectorColor(this->UseVectorColor == ONE_COLOR);
+  this->Mapper->SetVectorColor(this->VectorColor.data());
 }
 
 // A second of the mapper's film is a unit of the animation time or, where no scale is given, the time of a cycle.
