@@ -19,6 +19,7 @@
 #include "vtkScalarBarActor.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTextRenderer.h"
 #include "vtkVolume.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ constexpr double shortest = 75.0; // pixels that the longest vectors move in the
 constexpr double longest = 0.22;  // of the width of the view
 constexpr double gap = 6.0;       // pixels between keys
 constexpr double veil = 0.6;      // opacity of the background of the words
+constexpr double smallest = 0.75; // size of the letters in a narrow view, of that which was set
 
 std::string numberText(double number)
 {
@@ -93,6 +95,36 @@ double freeBottom(Box box, const std::vector<Box>& taken, double height)
   return wanted;
 }
 
+double widthOf(const std::string& text, vtkTextProperty* style, int dpi)
+{
+  std::array<int, 4> box{ { 0, -1, 0, -1 } };
+  vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
+  return renderer && renderer->GetBoundingBox(style, text, box.data(), dpi) ? box[1] - box[0] + 1
+                                                                            : 0;
+}
+
+// With the words that do not fit into the width on lines of their own.
+std::string broken(const std::string& text, vtkTextProperty* style, int dpi, double width)
+{
+  std::istringstream lines(text);
+  std::string result, line;
+  while (std::getline(lines, line))
+  {
+    std::istringstream words(line);
+    std::string part, word;
+    while (words >> word)
+    {
+      const std::string longer = part.empty() ? word : part + " " + word;
+      const bool fits = part.empty() || widthOf(longer, style, dpi) <= width;
+      result += fits ? "" : part + "\n";
+      part = fits ? longer : word;
+    }
+    result += part + "\n";
+  }
+  result.pop_back();
+  return result;
+}
+
 // Pixels of a unit of length at the focal point.
 double pixelsOfUnit(vtkRenderer* renderer, vtkVolume* volume)
 {
@@ -112,10 +144,10 @@ vtkSplatSpeedKey::vtkSplatSpeedKey()
   this->PositionCoordinate->SetCoordinateSystemToNormalizedViewport();
   this->PositionCoordinate->SetValue(0.03, 0.03);
   this->Words->GetPositionCoordinate()->SetCoordinateSystemToViewport();
-  this->Words->GetTextProperty()->SetFontSize(16);
-  this->Words->GetTextProperty()->SetLineSpacing(1.15);
-  this->Words->GetTextProperty()->SetBackgroundOpacity(veil);
-  this->Words->GetTextProperty()->SetVerticalJustificationToBottom();
+  this->Style->SetFontSize(16);
+  this->Style->SetLineSpacing(1.15);
+  this->Style->SetBackgroundOpacity(veil);
+  this->Style->SetVerticalJustificationToBottom();
   this->Arrow->GetPositionCoordinate()->SetCoordinateSystemToViewport();
   this->Arrow->GetPosition2Coordinate()->SetCoordinateSystemToViewport();
   this->Arrow->GetPosition2Coordinate()->SetReferenceCoordinate(nullptr);
@@ -142,7 +174,7 @@ vtkVolume* vtkSplatSpeedKey::GetVolume()
 
 vtkTextProperty* vtkSplatSpeedKey::GetTextProperty()
 {
-  return this->Words->GetTextProperty();
+  return this->Style;
 }
 
 std::string vtkSplatSpeedKey::GetText()
@@ -205,6 +237,23 @@ std::string vtkSplatSpeedKey::Describe(
   return text + kind + (unit.empty() ? "speed " : "") + numberText(greatest) + unit;
 }
 
+// In letters, and in lines, that fit into the view.
+void vtkSplatSpeedKey::Write(vtkViewport* viewport, bool hasArrow)
+{
+  const int dpi = viewport->GetVTKWindow()->GetDPI();
+  const double left = this->PositionCoordinate->GetComputedDoubleViewportValue(viewport)[0];
+  const double room = std::max(viewport->GetSize()[0] - left - gap, 1.0);
+  const double share = room / std::max(widthOf(this->Text, this->Style, dpi), 1.0);
+  vtkNew<vtkTextProperty> style;
+  style->ShallowCopy(this->Style);
+  style->SetFontSize(
+    static_cast<int>(std::floor(this->Style->GetFontSize() * std::clamp(share, smallest, 1.0))));
+  const std::string text = share < smallest ? broken(this->Text, style, dpi, room) : this->Text;
+  this->Words->GetTextProperty()->ShallowCopy(style);
+  this->Words->SetInput(
+    (hasArrow ? " \n" + text : text).c_str()); // the first line is that of the arrow
+}
+
 void vtkSplatSpeedKey::Place(vtkViewport* viewport, double arrow)
 {
   const double* corner = this->PositionCoordinate->GetComputedDoubleViewportValue(viewport);
@@ -232,7 +281,7 @@ void vtkSplatSpeedKey::Place(vtkViewport* viewport, double arrow)
   this->Rectangle[2] = y;
   this->Rectangle[3] = y + size[1];
   this->Words->GetPositionCoordinate()->SetValue(x, y);
-  const double middle = y + size[1] - 0.6 * this->GetTextProperty()->GetFontSize();
+  const double middle = y + size[1] - 0.6 * this->Words->GetTextProperty()->GetFontSize();
   this->Arrow->SetVisibility(arrow >= 1.0);
   this->Arrow->GetPositionCoordinate()->SetValue(x, middle);
   this->Arrow->GetPosition2Coordinate()->SetValue(x + arrow, middle);
@@ -279,8 +328,6 @@ int vtkSplatSpeedKey::RenderOverlay(vtkViewport* viewport)
     this->Text.clear();
     return 0;
   }
-  // The first line is that of the arrow.
-  this->Words->SetInput((arrow >= 1.0 ? " \n" + this->Text : this->Text).c_str());
   if (this->AutomaticColor)
   {
     const double* color = viewport->GetBackground();
@@ -288,6 +335,7 @@ int vtkSplatSpeedKey::RenderOverlay(vtkViewport* viewport)
     this->GetTextProperty()->SetColor(ink, ink, ink);
     this->GetTextProperty()->SetBackgroundColor(1.0 - ink, 1.0 - ink, 1.0 - ink);
   }
+  this->Write(viewport, arrow >= 1.0);
   this->Arrow->GetProperty()->SetColor(this->GetTextProperty()->GetColor());
   this->Place(viewport, arrow);
   int drawn = this->Words->RenderOpaqueGeometry(viewport) + this->Words->RenderOverlay(viewport);

@@ -62,7 +62,7 @@ public:
   vtkBooleanMacro(AutomaticColor, bool);
   ///@}
 
-  /** Font, size and colour. */
+  /** Font, size and colour. Where the view is too narrow for a line, the letters are smaller, down to three quarters of the size, and then the line is broken. */
   vtkTextProperty* GetTextProperty();
 
   /** What the last render wrote; empty if nothing. */
@@ -86,6 +86,7 @@ protected:
 private:
   vtkTexturedSplatMapper* GetDrawnMapper(vtkViewport* viewport);
   std::string Describe(vtkTexturedSplatMapper* mapper, double pixels, double most, double& arrow);
+  void Write(vtkViewport* viewport, bool hasArrow);
   void Place(vtkViewport* viewport, double arrow);
   bool Repeats(vtkViewport* viewport);
   std::vector<vtkSplatSpeedKey*> GetEarlierKeys(vtkViewport* viewport);
@@ -95,6 +96,7 @@ private:
 
   vtkSmartPointer<vtkVolume> Volume;
   std::string Text;
+  vtkNew<vtkTextProperty> Style; // as set, for a view that is wide enough
   vtkNew<vtkTextActor> Words;
   vtkNew<vtkLeaderActor2D> Arrow;
 

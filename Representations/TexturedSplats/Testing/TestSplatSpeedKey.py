@@ -35,10 +35,10 @@ def sheet(speed, height):
 
 
 class Key(unittest.TestCase):
-    def scene(self, speed=20.0, background=(0, 0, 0), look=None, matrix=None, **settings):
+    def scene(self, speed=20.0, background=(0, 0, 0), look=None, matrix=None, size=(400, 400), **settings):
         """A sheet; 20 pixels are a kilometre."""
         data = sheet(speed, 0)
-        self.window = Window((400, 400))
+        self.window = Window(size)
         scene = self.window.add_scene(background=background)
         mapper = moving(settings)
         self.volume = scene.add_volume(mapper, data, HIDDEN, matrix=matrix)
@@ -115,6 +115,19 @@ class Key(unittest.TestCase):
         key.SetVolume(volume)
         self.renderer.AddViewProp(key)
         return key
+
+    def test_narrow_views(self):
+        """All words are seen, in smaller letters and on more lines; wider views have the same words on three lines."""
+        for size, lines, at in ((600, 4, 0.03), (300, 5, 0.2), (200, 6, 0.2)):
+            key = self.scene(TimeScale=300.0, size=(size, size), VectorOpacity=0)
+            key.SetPosition(at, 0.03)
+            self.text(key)
+            ink = np.abs(self.window.rgba(alpha=False) - self.window.rgba(alpha=False)[-1, -1]).max(axis=2) > 0.5
+            columns, rows = np.flatnonzero(ink.any(axis=0)), np.r_[False, ink.any(axis=1), False].astype(int)
+            self.assertLess(columns.max(), size - 3, size)
+            self.assertLess(np.flatnonzero(ink.any(axis=1)).max(), 0.6 * size, size)
+            self.assertEqual(np.count_nonzero(np.diff(rows) > 0), lines, size)
+            self.assertEqual(key.GetText().count("\n"), 2, size)
 
     def test_keys_are_stacked(self):
         key = self.scene(TimeScale=300.0)
