@@ -118,6 +118,7 @@ struct CellShare
   double MeanAngle = 0;    // the same, if all corners of a hexahedron or wedge were alike
   double LatticeAngle = 0; // the same, if corners were alike along and across those cells
   bool Tetrahedra = false; // some of the cells are tetrahedra
+  bool Overlaps = false;   // the edges span more than falls to the sample, by intent
   SplatMatrix Edges{};     // sum over corners of e e^T over the edges there, weighted
   SplatMatrix Normals{};   // of surfaces: sum of n n^T over unit normals, weighted
 
@@ -137,6 +138,7 @@ struct CellShare
     this->MeanAngle += other.MeanAngle;
     this->LatticeAngle += other.LatticeAngle;
     this->Tetrahedra |= other.Tetrahedra;
+    this->Overlaps |= other.Overlaps;
     AddWeighted(this->Edges, other.Edges, 1);
     AddWeighted(this->Normals, other.Normals, 1);
   }
@@ -157,7 +159,7 @@ struct CellShare
   }
 
   // Where many thin tetrahedra meet in a point, little of them falls to it, far less than its edges span: its shape is that of the edges, and this
-  // is the part of it that counts. Else 1.
+  // is the part of it that counts. So it is where shapes overlap by intent. Else 1.
   double Fill() const
   {
     constexpr double least = 0.1;
@@ -168,7 +170,7 @@ struct CellShare
     const double spanned =
       Determinant(TriangularRoot(this->Edges)) / std::pow(this->MeanAngle, 1.5);
     const double fill = spanned > 0 ? std::pow(this->EdgeLength(), 3) / spanned : 1.0;
-    return fill < least ? fill : 1.0;
+    return fill < least || this->Overlaps ? fill : 1.0;
   }
 
   // Jacobian of the sample: the mean of the corners' edges, scaled to the volume.

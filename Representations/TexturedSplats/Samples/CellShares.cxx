@@ -77,6 +77,10 @@ private:
       const vtkIdType corners[8] = { p[0], p[1], p[3], p[2], p[4], p[5], p[7], p[6] };
       this->AddSolid(hexahedron, corners);
     }
+    else if (type == VTK_QUADRATIC_HEXAHEDRON && !this->OnCells)
+    {
+      this->AddQuadraticHexahedron();
+    }
     else if (type == VTK_WEDGE)
     {
       this->AddSolid(wedge, this->Points->GetPointer(0));
@@ -200,6 +204,58 @@ private:
       {
         ring.Break();
       }
+    }
+  }
+
+  // Without points in its faces and its middle, its parts would leave gaps there. Its corners, and the middles of its edges along each axis, are four lattices, each
+  // with one sample for each cell: each sample has the shape of a whole cell, and a quarter of its volume. Curved edges count as straight ones.
+  void AddQuadraticHexahedron()
+  {
+    const vtkIdType* p = this->Points->GetPointer(0);
+    Vector3 x[8];
+    for (int i = 0; i < 8; ++i)
+    {
+      x[i] = this->Place(p[i]);
+    }
+    const double volume = momentsOf(hexahedron, x).GetSize();
+    SplatMatrix edges[8] = {};
+    double squares = 0;
+    for (int i = 0; i < 8; ++i)
+    {
+      for (const int next : hexahedron.Neighbors[i])
+      {
+        AddOuterProduct(edges[i], x[next] - x[i]);
+        squares += dot(x[next] - x[i], x[next] - x[i]) / 8;
+      }
+    }
+    if (std::isfinite(volume) && !HasExtent(std::cbrt(volume), std::sqrt(squares), this->Rounding))
+    {
+      this->GiveNothing(p, 20);
+      return;
+    }
+    const auto give = [&](vtkIdType point, double part, const SplatMatrix& here) {
+      CellShare share;
+      share.Dimension = 3;
+      share.Angle = share.MeanAngle = share.LatticeAngle = part;
+      share.Size = 0.25 * part * volume;
+      share.Overlaps = true;
+      AddWeighted(share.Edges, here, part);
+      this->Give(point, share);
+    };
+    for (int i = 0; i < 8; ++i)
+    {
+      give(p[i], lattice, edges[i]);
+    }
+    for (int i = 0; i < 12; ++i)
+    {
+      SplatMatrix both{};
+      AddWeighted(both, edges[hexahedronEdges[i][0]], 0.5);
+      AddWeighted(both, edges[hexahedronEdges[i][1]], 0.5);
+      give(p[8 + i], 2 * lattice, both);
+    }
+    for (int i = 0; i < 20 && !this->Found.Rings.empty(); ++i)
+    {
+      this->Found.Rings[static_cast<std::size_t>(PlaceOfPoint(this->Places, p[i]))].Break();
     }
   }
 

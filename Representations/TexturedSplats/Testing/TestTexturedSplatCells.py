@@ -9,12 +9,13 @@ from nephoscope_testing import meshes
 from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant
-from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, vtkBiQuadraticQuadraticHexahedron, vtkBiQuadraticQuadraticWedge, vtkQuadraticHexahedron,
+from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_QUADRATIC_HEXAHEDRON, vtkBiQuadraticQuadraticHexahedron, vtkBiQuadraticQuadraticWedge, vtkQuadraticHexahedron,
                                            vtkQuadraticLinearWedge, vtkStructuredGrid, vtkTriQuadraticHexahedron)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 
 COLORS = Transfer([(0, 1, 0.2, 0.1), (1, 0.1, 0.3, 1)], [(0, 0.4), (1, 1.6)])
+EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))  # of a hexahedron, in the order of their middles
 N = 14  # samples along an edge of the unit cube, less one
 
 
@@ -25,6 +26,20 @@ def wave(points):
 def graded(points):
     """Cells from half to twice the mean length."""
     return points**np.array([1.6, 1, 1]) + 0.04 * np.sin(6 * points[:, [1, 2, 0]]) * points * (1 - points)
+
+
+def quadratic(mesh):
+    """Constant data on hexahedra with a point in the middle of every edge."""
+    points, middles, cells = list(meshes.points_of(mesh)), {}, []
+    for c in range(mesh.GetNumberOfCells()):
+        corners = [mesh.GetCell(c).GetPointId(k) for k in range(8)]
+        for edge in [tuple(sorted((corners[a], corners[b]))) for a, b in EDGES]:
+            if edge not in middles:
+                middles[edge] = len(points)
+                points.append((points[edge[0]] + points[edge[1]]) / 2)
+            corners.append(middles[edge])
+        cells.append((VTK_QUADRATIC_HEXAHEDRON, corners))
+    return meshes.with_field(meshes.grid(np.array(points), cells), lambda p: 0 * p[:, 0])
 
 
 def around(p):
@@ -156,6 +171,11 @@ class Cells(ImageTestCase):
         local, mean = self.ripple(cloud, exact=1.4)
         print(f"  Delaunay: deviation {100 * local:.1f} %, mean {mean:.3f}, with one size {100 * one:.1f} %")
         self.assertLess(local, 0.6 * one)
+
+    def test_constant_data_on_quadratic_cells(self):
+        """Points in the middle of edges, none in faces and cells: no weave."""
+        self.check_flat("quadratic hexahedra", quadratic(meshes.Lattice(N).mesh("hexahedron", graded)), 0.01, 0.005)
+        self.assertAlmostEqual(self.mass(quadratic(meshes.Lattice(5).mesh("hexahedron", graded)), 1.4, "point"), 1, delta=0.01)
 
     def test_cells_keep_their_volume(self):
         """The mass of the splats of cells is that of the cells, of whatever kind."""
