@@ -5,6 +5,7 @@
 #include "EmptyInput.h"
 #include "InputBlocks.h"
 #include "OpticalArrays.h"
+#include "RequiredInput.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -127,6 +128,23 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
       << " of water, or its pressure, missing (NaN or a fill value); there is no cloud there.");
   }
   return true;
+}
+
+int vtkCloudOptics::FillInputPortInformation(int, vtkInformation* info)
+{
+  nephoscope::takeAnyData(info);
+  return 1;
+}
+
+vtkTypeBool vtkCloudOptics::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
+        "It must be a dataset."))
+  {
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkCloudOptics::RequestData(

@@ -126,10 +126,14 @@ public:
   vtkGetMacro(DropletsOverSea, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkCloudOptics() = default;
   ~vtkCloudOptics() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -149,6 +153,7 @@ private:
   double DropletsOverLand = 300;
   double DropletsOverSea = 100;
   vtkMTimeType ToldOfEmptiness = 0, Failed = 0; // for isEmptyInput and ReportOnce
+  vtkMTimeType ToldOfInput = 0;                 // for hasOtherInput
 };
 
 #endif

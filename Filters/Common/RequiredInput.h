@@ -34,6 +34,15 @@ inline std::string kindOf(vtkDataObject* data)
   return kind == kinds.end() ? std::string("a ") + data->GetClassName() : kind->second;
 }
 
+// What makes a dataset with cells, or one with rows, of the input; empty where nothing does.
+inline std::string remedyFor(vtkDataObject* data, bool withRows = false)
+{
+  return !data || !data->IsA("vtkHyperTreeGrid")
+    ? ""
+    : std::string(" Apply vtkHyperTreeGridToUnstructuredGrid first") +
+      (withRows ? ", then vtkResampleToImage." : ".");
+}
+
 // For FillInputPortInformation: the pipeline rejects only composite data, because it iterates over their blocks.
 inline void takeAnyData(vtkInformation* port)
 {
@@ -63,6 +72,13 @@ inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
     }
     return false;
   }
+  const auto takes = [&kinds](const char* kind) {
+    return std::any_of(
+      kinds.begin(), kinds.end(), [kind](const char* other) { return std::string(kind) == other; });
+  };
+  const std::string remedy = takes("vtkDataSet") || takes("vtkImageData")
+    ? remedyFor(input, takes("vtkImageData"))
+    : std::string();
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
@@ -98,7 +114,8 @@ inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
       std::max(filter->GetMTime(), pipeline ? pipeline->GetPipelineMTime() : 0);
     if (now != told)
     {
-      vtkErrorWithObjectMacro(filter, << "The input is " << kindOf(input) << ". " << needed);
+      vtkErrorWithObjectMacro(
+        filter, << "The input is " << kindOf(input) << ". " << needed << remedy);
     }
     told = now;
     FailureCode::Set(filter, true);

@@ -9,6 +9,7 @@
 #include "MessageSuppression.h"
 #include "PolygonFlow.h"
 #include "PolygonShape.h"
+#include "RequiredInput.h"
 #include "SmokeData.h"
 #include "SmokeOutput.h"
 #include "VelocityChoice.h"
@@ -129,7 +130,8 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
   const auto exchange = this->Exchange();
   if (!exchange.AnyTrue(!sets.empty()))
   {
-    vtkErrorMacro("The input has no cells, so there is no flow. Connect a dataset with cells.");
+    vtkErrorMacro("The input has no cells, so there is no flow. Connect a dataset with cells."
+      << nephoscope::remedyFor(input));
     return nullptr;
   }
   nephoscope::VelocityArray velocity;

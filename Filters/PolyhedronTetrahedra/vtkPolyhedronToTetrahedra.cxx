@@ -6,6 +6,7 @@
 #include "EmptyInput.h"
 #include "OwnThreads.h"
 #include "PolyhedronDivider.h"
+#include "RequiredInput.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
@@ -147,6 +148,23 @@ std::vector<Complaint> complaints(bool useTetGen, const std::string& reason)
 bool vtkPolyhedronToTetrahedra::HasTetGen()
 {
   return nephoscope::hasTetGen();
+}
+
+int vtkPolyhedronToTetrahedra::FillInputPortInformation(int, vtkInformation* info)
+{
+  nephoscope::takeAnyData(info);
+  return 1;
+}
+
+vtkTypeBool vtkPolyhedronToTetrahedra::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
+        "It must be a dataset with cells."))
+  {
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkPolyhedronToTetrahedra::RequestData(

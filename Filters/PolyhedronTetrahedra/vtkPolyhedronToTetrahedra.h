@@ -81,10 +81,14 @@ public:
   vtkGetMacro(NumberOfUndividedCells, vtkIdType);
   ///@}
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkPolyhedronToTetrahedra() = default;
   ~vtkPolyhedronToTetrahedra() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -100,6 +104,7 @@ private:
   bool DivideConvexPolyhedra = false;
   double FaceWarpTolerance = 0.1;
   bool UseTetGen = true;
+  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
   vtkMTimeType ToldOfEmptiness = 0;
   vtkIdType NumberOfDividedCells = 0;
   vtkIdType NumberOfNewPoints = 0;

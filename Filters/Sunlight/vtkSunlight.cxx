@@ -10,6 +10,7 @@
 #include "LitData.h"
 #include "OwnThreads.h"
 #include "PhaseFunction.h"
+#include "RequiredInput.h"
 #include "SmokeOptics.h"
 #include "Vector3.h"
 #include "vtkSunlightInternals.h"
@@ -63,6 +64,10 @@ int vtkSunlight::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 2 ? "vtkPolyData" : "vtkDataSet");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
+  if (port == 0)
+  {
+    nephoscope::takeAnyData(info);
+  }
   return 1;
 }
 
@@ -303,6 +308,17 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
   }
   this->Write(data, work);
   return true;
+}
+
+vtkTypeBool vtkSunlight::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
+        "It must be a dataset with points and cells."))
+  {
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkSunlight::RequestData(

@@ -180,6 +180,9 @@ public:
   vtkGetMacro(LastChange, double);
   ///@}
 
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkSunlight();
   ~vtkSunlight() override;
@@ -234,6 +237,7 @@ private:
   double LastChange = 0;
   bool ToldOfPieces = false;
   vtkMTimeType ToldOfEmptiness = 0, Failed = 0; // for isEmptyInput and ReportOnce
+  vtkMTimeType ToldOfInput = 0;                 // for hasOtherInput
   std::unique_ptr<Work> Last;                   // kept for another eye
   std::vector<double> LastState;                // that it was computed for
 };

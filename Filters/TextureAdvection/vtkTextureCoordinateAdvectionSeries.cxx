@@ -11,6 +11,7 @@
 #include "vtkTextureCoordinateAdvection.h"
 
 #include "MessageSuppression.h"
+#include "RequiredInput.h"
 #include "SharedSource.h"
 #include "TextureState.h"
 
@@ -316,8 +317,10 @@ int vtkTextureCoordinateAdvection::RequestData(
   nephoscope::ReportOnce report(this, state.Failed);
   if (!data)
   {
+    const std::string remedy = nephoscope::remedyFor(input);
     vtkErrorMacro("The input is " << (input ? input->GetClassName() : "missing")
-                                  << "; one grid is needed. Merge or extract blocks first.");
+                                  << "; one grid is needed."
+                                  << (remedy.empty() ? " Merge or extract blocks first." : remedy));
     report.End(false);
     this->Stop(request);
     return 1;

@@ -38,6 +38,8 @@ const Words remedies = {
   { "run vtkPolyhedronToTetrahedra first", "apply Polyhedron To Tetrahedra first" },
   { "vtkMeshQuality finds", "Mesh Quality finds" },
   { "call SetOrigin and SetNormal of the vtkPlane", "set Origin and Normal" },
+  { "vtkHyperTreeGridToUnstructuredGrid", "HyperTreeGrid To UnstructuredGrid" },
+  { "vtkResampleToImage", "Resample To Image" },
   { "use vtkTriangleFilter", "apply Triangulate" },
   { "use one of the values of MethodType", "choose one of the values of Method" },
   { "SetFileName gives the .vdb file", "File Name is the .vdb file" },

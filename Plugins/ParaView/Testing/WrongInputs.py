@@ -12,6 +12,7 @@ FILTERS = ("GlobeGrid", "FlowVolume", "SmokePuffs", "CloudSurface", "StructuredS
 GRIDS = "an image, a rectilinear or a structured grid"
 # What is said of which input; where nothing is written, nothing is wrong.
 LIGHT = {"CloudOptics": "water", "Sunlight": "There is no array 'Extinction'"}
+TREE = "Apply HyperTreeGrid To UnstructuredGrid first"
 NO_VELOCITY, NO_VOLUME, EMPTY = "no velocity", "no cells with a volume", "empty|no cells|no points"
 EXPECTED = {
     "an image": {"GlobeGrid": "heights run from|no wind arrays", "FlowVolume": NO_VELOCITY, "SmokePuffs": "is an image. .*Connect a flow volume",
@@ -22,6 +23,8 @@ EXPECTED = {
                    "TextureCoordinateAdvection": NO_VELOCITY, **LIGHT},
     "blocks": {"GlobeGrid": ".", "FlowVolume": "No block", "SmokePuffs": "flow volume", "CloudSurface": GRIDS, "StructuredSmoothing": ".",
                "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": "one grid", **LIGHT},
+    "a hyper tree grid": {**dict.fromkeys(("GlobeGrid", "CloudSurface", "StructuredSmoothing"), TREE + ", then Resample To Image"),
+                          **dict.fromkeys(("FlowVolume", "TextureCoordinateAdvection", "ContourCellSplitter", "PolyhedrontoTetrahedra", "CloudOptics", "Sunlight"), TREE), "SmokePuffs": "Connect a flow volume"},
     "nothing": {"GlobeGrid": GRIDS, "FlowVolume": EMPTY, "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS, "TextureCoordinateAdvection": EMPTY,
                 **dict.fromkeys(("SmokePuffs", "ContourCellSplitter", "PolyhedrontoTetrahedra", "CloudOptics", "Sunlight"), "The input is empty")},
 }
@@ -32,6 +35,7 @@ def kinds():
     wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
     return {"an image": wavelet, "a surface": pvs.Sphere(), "tetrahedra": pvs.Tetrahedralize(Input=wavelet),
             "blocks": pvs.GroupDatasets(Input=[wavelet, pvs.Sphere()]),
+            "a hyper tree grid": pvs.RandomHyperTreeGrid() if hasattr(pvs, "RandomHyperTreeGrid") else pvs.HyperTreeGridRandom(),
             "nothing": pvs.Threshold(Input=wavelet, Scalars=["POINTS", "RTData"], LowerThreshold=1e9, UpperThreshold=2e9)}
 
 
