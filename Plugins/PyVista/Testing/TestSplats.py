@@ -29,7 +29,7 @@ class Splats(PlotterTestCase):
     def test_streaks_stand_out(self):
         """From the background and from every colour of the medium; orange on white clouds."""
         for cmap in ("RdBu", "coolwarm", "autumn", "hot", "viridis", "Greens", "gray"):
-            for background in ((0, 0, 0), (0.3, 0.3, 0.3), (1, 1, 1)):
+            for background in ((0.0, 0.0, 0.0), (0.3, 0.3, 0.3), (1.0, 1.0, 1.0)):
                 colours = pyvista.LookupTable(cmap).values[:, :3] / 255.0
                 chosen = np.array(self.colour_of_streaks(background, cmap=cmap))
                 nearest = np.linalg.norm(np.vstack([background, colours]) - chosen, axis=1).min()
