@@ -99,6 +99,53 @@ class Surfaces(unittest.TestCase):
         for key, picture in pictures.items():
             np.testing.assert_allclose(picture, first, atol=1, err_msg=str(key))
 
+    def test_the_medium_is_thinner_where_contours_are_asked_for(self):
+        """10 times, unless something says how opaque it is; a surface in the middle then changes the picture by more than the medium does."""
+        table = pyvista.LookupTable("viridis", scalar_range=(0, 4))
+        for contours, options, factor in (([1, 3], {}, 10), (dict(values=[1], scalars="z"), {}, 10), (None, {}, 1), ([1], {"opacity": "linear"}, 1), ([1], {"opacity_scale": 0.5}, 1),
+                                          ([1], {"opacity_scalars": "z"}, 1), ([1], {"layers": ["red", "blue"]}, 1), ([1], {"cmap": table}, 1), ([1], {"opacity_unit_distance": 2.0}, 1)):
+            with self.subTest(contours=contours, **options):
+                alone = {k: v for k, v in options.items() if k != "layers"}
+                distances = [nephoscope.add_cells(self.plotter, cube(), "x", contours=values, **more).prop.opacity_unit_distance for values, more in ((contours, options), (None, alone))]
+                self.assertAlmostEqual(distances[0] / distances[1], factor)
+
+    def bar_of(self, scalars="x", **options):
+        """The only scalar bar, and its colours from 0 to 255."""
+        self.plotter.clear()
+        nephoscope.add_cells(self.plotter, cube(), scalars, **options)
+        if not self.plotter.scalar_bars:
+            return None, None
+        (title, bar), = self.plotter.scalar_bars.items()
+        return title, bar
+
+    def test_the_scalar_bar_of_layers(self):
+        """It has the colours of the layers at their values, over the range of the volume, or of the array that divides it."""
+        title, bar = self.bar_of(contours=[1, 3], layers=["red", None, "lime"])
+        table = bar.GetLookupTable()
+        self.assertEqual((title, table.GetRange()), ("x", (0, 4)))
+        for value, colour in ((0.5, (1, 0, 0)), (3.5, (0, 1, 0)), (2.0, pyvista.LookupTable("viridis", scalar_range=(0, 4)).map_value(2.0)[:3])):
+            np.testing.assert_allclose(table.map_value(value)[:3], colour, atol=0.01, err_msg=str(value))
+        self.assertAlmostEqual(table.map_value(0.5)[3], 0.125, delta=0.01)  # as opaque as the volume there
+        title, bar = self.bar_of(contours=dict(values=[1, 3], scalars="z"), layers=["red", "blue", "lime"])
+        self.assertEqual((title, bar.GetLookupTable().GetRange()), ("z", (0, 4)))
+        np.testing.assert_allclose(bar.GetLookupTable().map_value(2.0), (0, 0, 1, 1))
+        self.assertEqual(self.bar_of(contours=dict(values=[1, 3], scalars="z"), layers=["red", "viridis", "lime"])[0], None)
+        self.assertEqual(self.bar_of(contours=dict(values=[1, 3], scalars="z"), layers=["red", None, "lime"])[0], None)
+        title, bar = self.bar_of(layers={0: "red", 63: "lime"}, layer_scalars="layer")
+        self.assertEqual(title, None)  # 62 layers have the colours of the volume
+        title, bar = self.bar_of(layers=["red"] * 63 + ["lime"], layer_scalars="layer")
+        self.assertEqual((title, bar.GetLookupTable().GetNumberOfAnnotatedValues()), ("layer", 11))
+        np.testing.assert_allclose([bar.GetLookupTable().map_value(value) for value in (62, 63)], [(1, 0, 0, 1), (0, 1, 0, 1)])
+
+    def test_text_of_scalar_bars_can_be_read(self):
+        for background, theme, expected in (("black", "document", "white"), ("white", "document", "black"), ("white", "dark", "black"), ("#404040", "document", "white"), ("black", "dark", "white")):
+            plotter = pyvista.Plotter(off_screen=True, theme=pyvista.plotting.themes._NATIVE_THEMES[theme].value())
+            self.addCleanup(plotter.close)
+            plotter.set_background(background)
+            nephoscope.add_cells(plotter, cube(), "x", render=False)
+            (bar,) = plotter.scalar_bars.values()
+            self.assertEqual(bar.GetTitleTextProperty().GetColor(), pyvista.Color(expected).float_rgb, (background, theme))
+
     def test_polygons(self):
         mapper = self.add()
         self.assertEqual((mapper.GetPolygons(), mapper.GetPolygonOpacity(0)), (mapper.CONTOUR_POLYGONS, 0.3))

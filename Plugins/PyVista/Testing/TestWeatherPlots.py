@@ -42,6 +42,31 @@ class Plots(unittest.TestCase):
         seen = np.column_stack([points, np.ones(len(points))]) @ matrix.T
         return 400 + 400 * seen[:, :2] / seen[:, 3:]
 
+    def test_backgrounds_and_themes(self):
+        """Text can be read on every background; a theme that is not white is that of the picture."""
+        data = forecast()
+        for background, text in (("white", "black"), ("#303030", "white"), (None, "white")):
+            for dataset in (data, data.isel(plev=0), data.isel(lon=0)):
+                plotter, _ = self.plotted(dataset, "ta", background=background)
+                (bar,) = plotter.scalar_bars.values()
+                self.assertEqual(bar.GetTitleTextProperty().GetColor(), pyvista.Color(text).float_rgb)
+                self.assertEqual(plotter.background_color, pyvista.Color(background or "black"))
+        old = pyvista.themes.Theme()
+        old.load_theme(pyvista.global_theme)
+        self.addCleanup(pyvista.global_theme.load_theme, old)
+        pyvista.set_plot_theme("paraview")
+        plotter, _ = self.plotted(data, "ta")
+        self.assertEqual(plotter.background_color, pyvista.themes.ParaViewTheme().background)
+        plotter, _ = self.plotted(data, "ta", background="white")
+        self.assertEqual(next(iter(plotter.scalar_bars.values())).GetTitleTextProperty().GetColor(), (0, 0, 0))
+
+    def test_contours(self):
+        plotter, _ = self.plotted(forecast(), "ta", contours=[250, 260])
+        mapper = next(actor.mapper for actor in plotter.renderer.actors.values() if hasattr(getattr(actor, "mapper", None), "GetNumberOfContourValues"))
+        self.assertEqual(mapper.GetNumberOfContourValues(), 2)
+        with self.assertRaisesRegex(ValueError, "contours: an option of volumes"):
+            forecast().isel(plev=0).nephoscope.plot("ta", contours=3, screenshot="never.png")
+
     def test_a_map_has_the_earth_below(self):
         """Land and sea where they are, seen from above with north up, and the scalar bar below the map."""
         for longitudes in (np.arange(0, 360, 10.0), np.arange(-180, 180, 10.0), LON):
@@ -189,7 +214,7 @@ class Plots(unittest.TestCase):
             self.assertEqual([int((np.asarray(mark) & 2 != 0).sum()) for mark in marks], [4 * (4 if data is dataset else 1)])
 
     def test_unknown_options(self):
-        for options, words in (({"vert_exag": 3}, r"plot\(\) has no option 'vert_exag'. Did you mean 'vertical_exaggeration'"), ({"contours": 3}, r"'contours'. It is an option of add_cells: .*contours=\.\.\."),
+        for options, words in (({"vert_exag": 3}, r"plot\(\) has no option 'vert_exag'. Did you mean 'vertical_exaggeration'"), ({"polygons": "all"}, r"'polygons'. It is an option of add_cells: .*polygons=\.\.\."),
                                ({"zzz": 1}, "'zzz'. It takes 'time', .* the options of nephoscope.to_globe")):
             with self.subTest(options), self.assertRaisesRegex(TypeError, words):
                 forecast().nephoscope.plot(screenshot="none.png", **options)

@@ -3,6 +3,7 @@
 """Sections of a globe at one longitude or latitude, and means along these, are drawn by place and height."""
 import tempfile
 import unittest
+import warnings
 from pathlib import Path
 
 import nephoscope
@@ -61,6 +62,49 @@ class Sections(unittest.TestCase):
         picture = plotter.screenshot(return_img=True)
         self.assertGreater(picture.std(), 20)
 
+    def film(self, data, plotter=None, **options):
+        """The pictures of an animation, and the series."""
+        plotter = plotter or pyvista.Plotter(off_screen=True, window_size=(300, 300))
+        self.addCleanup(plotter.close)
+        with tempfile.TemporaryDirectory() as folder:
+            series = nephoscope.animate(plotter, data, "place", filename=folder, progress=False, show_time=False, **options)
+            self.addCleanup(series.close)
+            return plotter, series, [pyvista.read(path) for path in sorted(Path(folder).glob("*.png"))]
+
+    def test_a_film_of_a_section(self):
+        """Each step is the picture of plot with the range of all steps; the camera stays."""
+        data = xarray.concat([dataset().assign(place=factor * dataset().place) for factor in (1, 0.5)], xarray.DataArray([0, 1], dims="step", attrs={"long_name": "time"}))
+        for section, look in ((data.sel(lon=10), {}), (data.sel(lat=10), {"clim": (0, 12)}), (data.mean("lon", keep_attrs=True), {}), (data.sel(lon=[10]), {})):
+            plotter, series, pictures = self.film(section, **look)
+            self.assertEqual(len(pictures), 2)
+            camera = str(plotter.camera_position)
+            series.show(0)
+            self.assertEqual(str(plotter.camera_position), camera)
+            for step, picture in enumerate(pictures):
+                with tempfile.TemporaryDirectory() as folder:
+                    self.addCleanup(section.nephoscope.plot("place", time=step, **{"clim": series.range("place"), **look}, screenshot=folder + "/a.png", window_size=(300, 300)).close)
+                    expected = pyvista.read(folder + "/a.png")
+                got, expected = (np.asarray(one["PNGImage"], float)[:, :3] for one in (picture, expected))
+                self.assertGreater(expected.std(), 20)
+                self.assertLess(np.abs(got - expected).mean(), 0.5, step)
+
+    def test_a_film_of_a_section_whose_levels_move(self):
+        data = xarray.concat([dataset().assign(height=dataset().height.copy(data=factor * dataset().height.values).assign_attrs(dataset().height.attrs)) for factor in (1, 0.5)], "step")
+        _, series, _ = self.film(data.sel(lon=10), heights=True)
+        highest = [series[step].bounds[5] for step in range(2)]
+        self.assertAlmostEqual(highest[1] / highest[0], 0.5, 4)
+        series.show(1)
+        self.assertAlmostEqual(series.mesh.bounds[5], highest[1], 4)
+
+    def test_the_ground_below_a_section(self):
+        """What lies below it is hidden, without a warning."""
+        data = dataset().assign(orog=(("lat", "lon"), np.full((len(LAT), len(LON)), 3000.0), {"units": "m", "standard_name": "surface_altitude"}))
+        for section in (data.sel(lon=10), data.sel(lat=10)):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                _, sheet = self.drawn(section)
+            np.testing.assert_array_equal(np.asarray(sheet["BelowGround"]) > 0, np.asarray(sheet.points)[:, 2] / np.ptp(sheet.points[:, 2]) * 14 < 2.9)
+
     def test_across_the_date_line(self):
         data = dataset().assign_coords(lon=("lon", np.arange(150.0, 235, 5), {"units": "degrees_east"})).sel(lat=0)
         _, sheet = self.drawn(data)
@@ -72,10 +116,11 @@ class Sections(unittest.TestCase):
         _, sheet = self.drawn(data)
         self.assertGreater(np.ptp(sheet.bounds[:2]), 337)
 
-    def test_films_name_the_picture_of_one_time(self):
+    def test_plotters_with_contents_name_the_picture(self):
         plotter = pyvista.Plotter(off_screen=True)
         self.addCleanup(plotter.close)
-        with self.assertRaisesRegex(ValueError, "section at one longitude.*dataset.nephoscope.plot"):
+        plotter.add_text("mine")
+        with self.assertRaisesRegex(ValueError, "one level or section: draw it by dataset.nephoscope.plot"):
             nephoscope.animate(plotter, dataset().sel(lon=[0]).expand_dims(time=2), "place")
 
     def test_options_of_volumes_are_refused(self):

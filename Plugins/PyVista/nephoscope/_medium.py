@@ -29,6 +29,8 @@ from ._typing import Numbers
 from .transfer import OPACITY_NAMES, OpacityLike, opacity_values
 
 ROUNDING = 16  # units of the last place
+LUMINANCE = (0.2126, 0.7152, 0.0722)  # of red, green and blue
+READABLE = 0.3  # the least difference of luminance between text and background
 
 
 def require_plotter(plotter: Any) -> None:
@@ -399,7 +401,7 @@ def lookup_table(plotter: pyvista.BasePlotter, values: np.ndarray, name: str, cm
 
 def is_light(plotter: pyvista.BasePlotter) -> bool:
     """Whether dark grey stands out better than white from the background of the active renderer."""
-    return float(np.dot(plotter.background_color.float_rgb, (0.2126, 0.7152, 0.0722))) > 0.7
+    return float(np.dot(plotter.background_color.float_rgb, LUMINANCE)) > 0.7
 
 
 def _warn_of_camouflage(plotter: pyvista.BasePlotter, table: pyvista.LookupTable) -> None:
@@ -421,9 +423,32 @@ def _may_be_a_backdrop(actor: Any) -> bool:
     return has_polygons and actor.GetProperty().GetRepresentationAsString() == "Surface"
 
 
+def text_colour(plotter: pyvista.BasePlotter) -> pyvista.Color:
+    """The theme's colour of text, if it can be read on the background of the active renderer; see `readable`."""
+    return readable(plotter.theme.font.color, plotter.background_color)
+
+
+def readable(colour: pyvista.Color, background: pyvista.Color) -> pyvista.Color:
+    """`colour`, or black or white if text of it could not be read on the background."""
+    back, text = (float(np.dot(one.float_rgb, LUMINANCE)) for one in (background, colour))
+    return colour if abs(back - text) >= READABLE else pyvista.Color("black" if back > 0.5 else "white")
+
+
+def _add_bar(plotter: pyvista.BasePlotter, mapper: MediumMapper, title: str, table: pyvista.LookupTable | None, options: dict) -> None:
+    annotated = table is not None and table.GetNumberOfAnnotatedValues() > 0
+    upright = {"vertical": True} if annotated else {}
+    bar = plotter.add_scalar_bar(**{"title": title, "color": text_colour(plotter), **upright, **options, "mapper": mapper})
+    if bar is None or table in (None, mapper.lookup_table):
+        return
+    bar.SetLookupTable(table)
+    bar.SetMaximumNumberOfColors(table.n_values)
+    if annotated:
+        bar.SetDrawTickLabels(False)
+
+
 def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista.VolumeProperty, title: str, *, user_matrix: Any,
-               show_scalar_bar: bool | None, scalar_bar_args: dict | None, **actor_options: Any) -> pyvista.Volume:
-    """Adds the volume and its scalar bar to the plotter."""
+               bar_table: pyvista.LookupTable | None = None, show_scalar_bar: bool | None, scalar_bar_args: dict | None, **actor_options: Any) -> pyvista.Volume:
+    """Adds the volume and its scalar bar to the plotter. `bar_table`: the colours of the bar, if they are not those of the mapper."""
     warn_of_other_frames(plotter, mapper.dataset)
     warn_when_drawing(mapper)
     volume = MediumVolume()
@@ -435,5 +460,5 @@ def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista
     warn_when_exported(plotter)
     plotter.mapper = mapper  # as in add_volume: later calls without a mapper refer to the last one added
     if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
-        plotter.add_scalar_bar(**{"title": title, **(scalar_bar_args or {}), "mapper": mapper})
+        _add_bar(plotter, mapper, title, bar_table, scalar_bar_args or {})
     return volume

@@ -1,23 +1,21 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Contour surfaces, polygons and layers of a cell compositing mapper, from the arguments of `add_cells`."""
+"""Contour surfaces and polygons of a cell compositing mapper, from the arguments of `add_cells`."""
 from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
-from typing import Any, Mapping, Sequence
+from typing import Any
 
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumeProperty
 
 from ._checks import arrays_of, as_array, choose, require_number
 from ._medium import require_scalars
 from ._over_time import values_over_time
 from ._pipeline import level_of_caller
 from ._typing import Numbers
-from .transfer import colour_function
 
 
 def _require_opacity(opacity: Any, argument: str) -> None:
@@ -56,35 +54,6 @@ class Polygons:
             mapper.SetPolygonOpacity(i, float(value))
         for i, value in enumerate([] if one_color else rgb):
             mapper.SetPolygonColor(i, *value) if value else mapper.SetPolygonColorToFunction(i)
-
-
-def _colours_of(look: Any, bar: pyvista.LookupTable, argument: str) -> vtkColorTransferFunction:
-    """One colour, or a colour map over the range of the volume's `bar`; a name that is both is a colour."""
-    function = vtkColorTransferFunction()
-    try:
-        function.AddRGBPoint(0.0, *pyvista.Color(look).float_rgb)
-        return function
-    except (ValueError, TypeError):
-        pass
-    table = look
-    if not isinstance(look, pyvista.LookupTable):
-        try:
-            table = pyvista.LookupTable()
-            table.apply_cmap(look, 256)
-        except (ValueError, TypeError, AttributeError) as error:
-            raise TypeError(f"{argument} is {look!r}; it must be a colour, the name of a colour map or a volume property.") from error
-        table.scalar_range, table.log_scale = bar.scalar_range, bar.log_scale
-    return colour_function(table)
-
-
-def _layer_property(look: Any, mapper: Any, volume: vtkVolumeProperty, argument: str) -> vtkVolumeProperty:
-    """`look` if it is a property; otherwise a property with these colours and with the opacities and unit distance of the volume."""
-    if isinstance(look, vtkVolumeProperty):
-        return look
-    prop = pyvista.VolumeProperty()
-    prop.SetColor(_colours_of(look, mapper.lookup_table, argument))
-    prop.SetScalarOpacity(volume.GetScalarOpacity())
-    return prop
 
 
 CONTOUR_NAMES = {"contour_opacity": "opacity", "contour_color": "color", "contour_scalars": "scalars", "contour_lighting": "lighting",
@@ -162,42 +131,3 @@ class Contours:
         if len(colors) != count:
             raise ValueError(f"contours['color'] has {len(colors)} colours for {count} contours.")
         return colors
-
-
-@dataclass
-class Layers:
-    """The arguments `layers` and `layer_scalars` of `add_cells`; see there. Checked when applied."""
-    looks: Mapping[int, Any] | Sequence[Any] | None
-    scalars: str | None
-
-    def apply(self, mapper: Any, grid: pyvista.DataSet, count: int, volume: vtkVolumeProperty) -> None:
-        """`count` contours divide the volume into layers."""
-        if self.looks is None:
-            if self.scalars is not None:
-                raise ValueError("layer_scalars is given without layers, the colours or volume properties of the layers.")
-            return
-        if self.scalars is not None and self.scalars not in grid.cell_data:
-            raise MissingDataError(f"layer_scalars: no cell array {self.scalars!r}. {arrays_of(grid)}")
-        if self.scalars is None and count == 0:
-            raise ValueError("layers need contours or layer_scalars: give one of the two.")
-        looks = self._looks()
-        beyond = [number for number in looks if not 0 <= number <= count] if self.scalars is None else []
-        if beyond:
-            raise ValueError(f"layers: there is no layer {beyond[0]}; contours at {count} value{'s' * (count > 1)} divide the volume into the layers "
-                             f"0 to {count}.")
-        for number, look in looks.items():
-            if look is not None:
-                mapper.SetLayerProperty(int(number), _layer_property(look, mapper, volume, f"layers[{number}]"))
-        mapper.SetLayerArrayName(self.scalars or "")
-        mapper.SetLayersFromContours(self.scalars is None)
-
-    def _looks(self) -> dict[int, Any]:
-        """How to draw each layer, by number."""
-        if isinstance(self.looks, (str, pyvista.Color, vtkVolumeProperty)) or not isinstance(self.looks, (Mapping, Sequence, np.ndarray)):
-            raise TypeError(f"layers is {self.looks!r}; it must be a sequence, or a dict by layer number, of colours or volume properties: one for "
-                            "each layer.")
-        looks = dict(self.looks) if isinstance(self.looks, Mapping) else dict(enumerate(self.looks))
-        for number in looks:
-            if not isinstance(number, (int, np.integer)) or isinstance(number, bool):
-                raise TypeError(f"layers has the key {number!r}; keys are the numbers of layers: 0, 1, ...")
-        return looks

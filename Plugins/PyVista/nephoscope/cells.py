@@ -12,9 +12,10 @@ from . import vtkCellCompositingMapper
 from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
 from ._fields import FLAT_GRID
+from ._layers import Layers
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
-from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Layers, Polygons
+from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Polygons
 from ._uniform import FAINTER, is_bare, uniform_colours
 from ._typing import ContourOptions, Integration, Interpolation, Method, Numbers, OldCellNames, Order, PolygonChoice, PolygonOptions, Preference, ToneMapping
 from .light import brightest, lit_medium, refuse_color
@@ -22,6 +23,9 @@ from .transfer import OpacityLike
 
 if TYPE_CHECKING:
     from typing import Unpack  # since Python 3.11
+
+
+AROUND_CONTOURS = 10.0  # times thinner than alone: a medium whose contour surfaces are to be seen
 
 
 class CellCompositingMapper(MediumMapper, vtkCellCompositingMapper):
@@ -127,7 +131,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Which array to use if points and cells both have an array of that name, or if their numbers are equal.
     contours : int, sequence of float or dict, optional
         Lit, translucent contour surfaces inside the volume, drawn in exact order with it; no geometry is extracted. A number, or a sequence, is
-        the option ``values``. Options:
+        the option ``values``. The medium is then 10 times as thin as without, so that they are seen, unless you give one of `opacity`, `opacity_scalars`, `opacity_scale`,
+        `opacity_unit_distance` and `layers`. Options:
 
         - ``values``: the values, or their number at equal steps inside the range.
         - ``opacity``, default 0.3: opacity of all surfaces, or of each surface, 0 to 1. 0: not drawn.
@@ -146,6 +151,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         `pyvista.VolumeProperty` with colours and opacities of its own, or None for a layer like the volume. An item of a sequence is for the
         layer 0, 1, ... The layer of a point is the number of `contours` at or below its scalar, unless `layer_scalars` is given. A property
         whose unit distance is 1, VTK's default, has that of the volume.
+        The scalar bar has the colours of the layers. It belongs to the array that divides the volume, unless that is `scalars`; each layer must then have one colour, otherwise there is no bar.
     layer_scalars : str, optional
         Cell array with the layer number of each cell.
     name : str, optional
@@ -218,8 +224,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         scalars, clim, preference = np.ones(grid.n_cells), (0, 1), "cell"
     grid, array_name, association = scalar_array(grid, scalars, preference, component)
     mapper = CellCompositingMapper()
-    prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
-                     opacity_scale, preset, FAINTER if uniform and opacity_scalars is None else 1.0, component).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
+    given = [opacity, opacity_scalars, opacity_unit_distance, layers, *[cmap] * isinstance(cmap, pyvista.LookupTable), *[opacity_scale] * (opacity_scale != 1)]
+    fainter = FAINTER if uniform and opacity_scalars is None else 1.0 if surfaces.values is None or any(one is not None for one in given) else AROUND_CONTOURS
+    prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim, opacity_scale, preset, fainter, component).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,
             "none": mapper.SetVisibilityOrderToNone}, order, "order")
@@ -230,10 +237,14 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
             "faces": mapper.SetMethodToFaces}, method, "method")
     mapper.SetSplitAtControlPoints(bool(split_at_control_points))
     count = surfaces.apply(mapper, grid, array_name, association, component)
-    Layers(layers, layer_scalars).apply(mapper, grid, count, prop)
+    divided = Layers(layers, layer_scalars)
+    divided.apply(mapper, grid, count, prop)
     painted.apply(mapper)
-    return add_medium(plotter, mapper, prop, title_of_scalars(grid, array_name, association, component), user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
-                      scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
+    bar = (mapper.lookup_table, title_of_scalars(grid, array_name, association, component))
+    if layers is not None and (bar := divided.bar(mapper, grid, array_name, surfaces.scalars or array_name, bar[1])) is None:
+        show_scalar_bar, bar = False, (mapper.lookup_table, "")
+    return add_medium(plotter, mapper, prop, bar[1], bar_table=bar[0], user_matrix=user_matrix, show_scalar_bar=show_scalar_bar, scalar_bar_args=scalar_bar_args,
+                      reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 
 
 def _solid_grid(grid: Any, arrays: Mapping[str, Any]) -> pyvista.DataSet:

@@ -3,7 +3,8 @@
 """The accessor ``dataset.nephoscope`` of xarray.Dataset and xarray.DataArray."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 import numpy as np
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 FLAT = ("time", "variables", "x", "y", "z", "vertical_exaggeration", "derive")  # options of grid
 LOOK = ("opacity", "cmap", "clim", "log_scale")  # of a picture
-LOOK_OF_PLOT = (*LOOK, "preset", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")
+LOOK_OF_PLOT = (*LOOK, "contours", "layers", "preset", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")
 GLOBE = ("time", "variables", "vertical", "derive")  # options of globe itself
 
 
@@ -231,7 +232,8 @@ class WeatherAccessor:
         return terrain_surface(ground_mesh(reading, air), "orog", **rest)
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float | None = None,
-             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] = (800, 800), view: Any = None, **options: Any) -> pyvista.Plotter:
+             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] = (800, 800), view: Any = None,
+             background: Any = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
         A section at one longitude or latitude, or a mean along these, is drawn by latitude or longitude and height. With ``projection="map"`` the picture is a map, seen from above with north up. Data whose x and y are lengths are drawn flat; see `grid`.
@@ -255,8 +257,10 @@ class WeatherAccessor:
         view : sequence of 2 float, str or sequence, optional
             What the camera looks at. On a globe the longitude and latitude (degrees) that are seen from straight above, ``view=(100, 30)``. Everywhere a camera position of PyVista:
             ``"xy"``, or position, focal point and upward direction. Default: the middle of the data; of data all round the globe the side on which the field has most, if there is one. Maps are seen from above.
+        background : ColorLike, optional
+            Colour behind the picture; text is black or white, whichever can be read. Default: that of PyVista's global theme, if it is not white, otherwise black.
         **options
-            Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
+            Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``contours``, ``layers``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
             ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``
             is a sun 45 degrees from the zenith of their middle; on a map, that of a date is the sun at its middle.
 
@@ -270,13 +274,15 @@ class WeatherAccessor:
         from .naming import refuse_unknown, title
         from .picture import plotted
         from .sections import as_section, axis_of_section
+        from .view import picture_plotter
+        new_plotter = partial(picture_plotter, screenshot is not None, window_size, background)
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
         if self._is_flat(options):
-            return self._plotted_flat(scalars, screenshot, window_size, view, look, vertical_exaggeration, {"time": time, **options})
+            return self._plotted_flat(scalars, screenshot, new_plotter, view, look, vertical_exaggeration, {"time": time, **options})
         if (section := as_section(self._dataset)) is not self._dataset:
-            return WeatherAccessor(section).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, **look, **options)
-        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", *LOOK_OF_PLOT))
+            return WeatherAccessor(section).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, **look, **options)
+        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", "background", *LOOK_OF_PLOT))
         found, of_field = self._of_field(scalars, time, options)
         lit = "sun" in look  # needs all water and the air
         make = lambda factor: self.globe(time=time, vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731
@@ -285,7 +291,7 @@ class WeatherAccessor:
             from .in_the_sun import sun_of
             look["sun"], found = sun_of(look["sun"], self._understood(0 if time is None else time, options.get("vertical"), _options(options)[0])[0], grid), None
         draw = plotted_section if axis_of_section(grid) else plotted
-        return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size, view)
+        return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view)
 
     def _exaggeration(self, options: dict[str, Any]) -> float:
         """What suits a picture of the first step."""
@@ -301,19 +307,19 @@ class WeatherAccessor:
         from .flat import is_flat
         return bool({"x", "y", "z"} & set(options)) or is_flat(self._dataset)
 
-    def _plotted_flat(self, scalars: str | None, screenshot: str | None, window_size: Sequence[int], view: Any, look: dict[str, Any], exaggeration: float | None, options: dict[str, Any]) -> pyvista.Plotter:
+    def _plotted_flat(self, scalars: str | None, screenshot: str | None, new_plotter: Callable[[], pyvista.Plotter], view: Any, look: dict[str, Any], exaggeration: float | None, options: dict[str, Any]) -> pyvista.Plotter:
         from .exaggeration import suited
         from .flat_picture import plotted_flat
         from .naming import title
         unknown = [name for name in options if name not in FLAT]
         if unknown:
-            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, view, window_size, "
+            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, view, window_size, background, "
                             f"{', '.join(LOOK_OF_PLOT)}.")
         found, of_field = self._of_field(scalars, None, options)
         lit = "sun" in look  # needs all water and the air
         make = lambda factor: self.grid(vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731
         grid = suited(make, 1.0) if exaggeration is None else make(exaggeration)
-        return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), window_size, view)
+        return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view)
 
     def _flat_column(self, quantity: str, time: Any, options: dict[str, Any]) -> pyvista.DataSet:
         from .flat import Flat

@@ -21,6 +21,8 @@ from .._options import refuse_unknown
 from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
 from .mesh_series import MeshSeries, is_meshes, mesh_series
+from .section_series import SectionSeries
+from .sections import as_section, axis_of_section
 from .series import Series
 
 LABEL = "nephoscope_time"  # name of the actor
@@ -83,7 +85,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     from .picture import darken, is_untouched
     whole = isinstance(draw, str) and is_untouched(plotter)
     look = _look(draw, options)
-    series, draw = _series(dataset, draw, heights, options, whole, times)
+    series, draw = _series(plotter, dataset, draw, heights, options, whole, times)
     whole = whole and not isinstance(series, MeshSeries)
     before = set(plotter.renderer.actors)
     if callable(draw):
@@ -112,8 +114,8 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     return series
 
 
-def _series(dataset: Any, draw: Any, heights: bool, options: dict, suits: bool, times: Any) -> tuple[Series, Any]:
-    """The series, and the array that is drawn. `suits`: heights are exaggerated as suits a picture, unless the options say how."""
+def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool, options: dict, whole: bool, times: Any) -> tuple[Series, Any]:
+    """The series, and the array that is drawn. `whole`: of the whole picture; heights are exaggerated as suits it, unless the options say how, and a section lies in the plane of the picture."""
     if is_meshes(dataset):
         _refuse(options, heights, "the meshes exist already, so they cannot take these options.")
         return mesh_series(dataset, times), draw
@@ -124,11 +126,18 @@ def _series(dataset: Any, draw: Any, heights: bool, options: dict, suits: bool, 
         return dataset, draw
     from .opening import open as opened
     found = opened(dataset)
+    section = as_section(found)
     if isinstance(draw, str):
-        draw, options = found.nephoscope._of_field(draw, 0, options)
-    if suits and "vertical_exaggeration" not in options:
-        options = {"vertical_exaggeration": found.nephoscope._exaggeration(options), **options}
-    return DatasetSeries(found, heights=heights, owned=found is not dataset, **options), draw
+        draw, options = section.nephoscope._of_field(draw, 0, options)
+    if whole and "vertical_exaggeration" not in options:
+        options = {"vertical_exaggeration": section.nephoscope._exaggeration(options), **options}
+    options = {"heights": heights, "owned": found is not dataset, **options}
+    series = DatasetSeries(section, **options)
+    if whole and axis_of_section(series.mesh):
+        series.stop()
+        from .flat_picture import shape_of_section
+        series = SectionSeries(section, shape_of_section(plotter), **options)
+    return series, draw
 
 
 def _refuse(options: dict, heights: bool, reason: str) -> None:
@@ -163,10 +172,12 @@ def _look(draw: Any, options: dict) -> dict:
 
 def _first_picture(series: Series, name: str, look: dict) -> Callable:
     from .naming import title
-    from .flat_picture import draw_flat
+    from .flat_picture import draw_flat, draw_section
     from .picture import draw as draw_globe
     from .picture import refuse_sections
     on_earth = "GlobeGridProjection" in series.mesh.field_data
+    if isinstance(series, SectionSeries):
+        return lambda plotter, mesh: draw_section(plotter, mesh, series.scales, name, look, lambda array: title(series._dataset, mesh, array))
     if on_earth:
         refuse_sections(series.mesh)
     draw = draw_globe if on_earth else draw_flat

@@ -35,10 +35,14 @@ class DatasetSeries(Series):
 
     def close(self) -> None:
         """End the worker, and close the dataset if `animate` opened it. `mesh` keeps its values; no other step can be read."""
-        self._worker.shutdown(cancel_futures=True)
-        self._coming = {}
+        self.stop()
         if self._owned:
             self._dataset.close()
+
+    def stop(self) -> None:
+        """End the worker."""
+        self._worker.shutdown(cancel_futures=True)
+        self._coming = {}
 
     @property
     def seconds(self) -> np.ndarray:

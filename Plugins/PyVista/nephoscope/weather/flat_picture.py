@@ -3,7 +3,7 @@
 """The first picture of a flat grid: a volume over its ground, or a level or section with axes."""
 from __future__ import annotations
 
-from typing import Any, Callable, Sequence
+from typing import Any, Callable
 
 import numpy as np
 import pyvista
@@ -23,10 +23,10 @@ WIDE, HIGH = 0.66, 0.78  # of the picture, for a section beside its labels and t
 
 
 def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-                 window_size: Sequence[int] = (800, 800), view: Any = None) -> pyvista.Plotter:
+                 new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
     grid = without_missing(grid, scalars)
-    plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
+    plotter = new_plotter()
     draw_flat(plotter, grid, scalars, options, title)
     if view is not None:
         plotter.camera.view_angle = 30  # PyVista's
@@ -35,18 +35,28 @@ def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | N
     return plotter
 
 
-def plotted_section(grid: pyvista.StructuredGrid, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str], window_size: Sequence[int],
-                    view: Any) -> pyvista.Plotter:
+def plotted_section(grid: pyvista.StructuredGrid, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str],
+                    new_plotter: Callable[[], pyvista.Plotter], view: Any) -> pyvista.Plotter:
     """A section of the globe, by latitude or longitude and height."""
-    sheet, scales = unrolled(grid, min(1.0, max(0.4, HIGH / WIDE * window_size[1] / window_size[0])))
-    plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
-    _draw_section(plotter, sheet, scalars, {"scalar_bar_args": BESIDE, **options}, "y", scales)
-    finish_bars(plotter, title)
-    make_room(plotter, as_high=False)
+    plotter = new_plotter()
+    draw_section(plotter, *unrolled(grid, shape_of_section(plotter)), scalars, options, title)
     if view is not None:
         set_view(plotter, view)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
+
+
+def shape_of_section(plotter: pyvista.BasePlotter) -> float:
+    """Height over width of a section that fills the picture."""
+    across, high = plotter.window_size
+    return min(1.0, max(0.4, HIGH / WIDE * high / across))
+
+
+def draw_section(plotter: pyvista.BasePlotter, sheet: pyvista.StructuredGrid, scales: dict[str, tuple[str, float]], scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
+    """As `plotted_section`, into a plotter. `sheet` and `scales`: what `unrolled` returns."""
+    _draw_section(plotter, sheet, scalars, {"scalar_bar_args": BESIDE, **options}, "y", scales)
+    finish_bars(plotter, title)
+    make_room(plotter, as_high=False)
 
 
 def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str]) -> None:

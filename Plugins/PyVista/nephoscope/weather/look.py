@@ -64,7 +64,7 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
         return options
     clim = options.get("clim") or preset.clim(values_over_time(grid, name, association))
     colours = preset.colour_map(is_bright(plotter.background_color))
-    if over_ground and preset.name in SHEER:
+    if preset.name in SHEER:
         options = {"opacity": "linear", **options}
-        colours = len(colours) * ["white"] if preset.name in WHITE else colours
+        colours = len(colours) * ["white"] if preset.name in WHITE and over_ground else colours
     return {"cmap": colours, **({} if clim is None else {"clim": clim}), **options}

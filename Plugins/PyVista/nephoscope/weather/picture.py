@@ -3,7 +3,7 @@
 """The first picture of a mesh on the globe or on a map, in one line."""
 from __future__ import annotations
 
-from typing import Any, Callable, Sequence
+from typing import Any, Callable
 
 import numpy as np
 import pyvista
@@ -16,23 +16,23 @@ from .bars import finish_bars, make_room
 from .horizontal import GridError, section
 from .look import surface_look
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
-from .view import PicturePlotter, is_place, look_down, set_view
+from .view import PicturePlotter, is_place, look_down, picture_theme, set_view
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
 BESIDE = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "n_labels": 4, **FONTS}  # the globe
 BELOW = {"vertical": False, "position_x": 0.25, "position_y": 0.02, "width": 0.5, "height": 0.09, "n_labels": 4, **FONTS}  # the map
-VOLUME = ("sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")  # options of volumes alone
+VOLUME = ("contours", "layers", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")  # options of volumes alone
 STRIP = 0.14  # of the height of the picture, at its lower edge, for the scalar bar below a map
 MARGIN = 0.04  # of the width and of the height, around a map
 
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-            window_size: Sequence[int] = (800, 800), view: Any = None) -> pyvista.Plotter:
+            new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
     refuse_sections(grid)
     grid = without_missing(grid, scalars)
-    plotter = PicturePlotter(off_screen=screenshot is not None, theme=pyvista.themes.DarkTheme(), window_size=window_size)
+    plotter = new_plotter()
     draw(plotter, grid, scalars, options, title, view)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
@@ -56,7 +56,7 @@ def is_untouched(plotter: pyvista.BasePlotter) -> bool:
 
 
 def darken(plotter: pyvista.BasePlotter) -> None:
-    plotter.theme.load_theme(pyvista.themes.DarkTheme())  # of this plotter alone
+    plotter.theme.load_theme(picture_theme())  # of this plotter alone
     plotter.set_background(plotter.theme.background)
 
 

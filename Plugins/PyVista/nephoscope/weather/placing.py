@@ -240,7 +240,8 @@ def ground_mesh(reading: Reading, air: Air) -> pyvista.DataSet | None:
     arrays = {name: values for name, values in arrays.items() if values is not None}
     if not {"sp", "orog"} & set(arrays):
         return None
-    mesh = _mesh(reading, np.zeros(1))
+    levels = 1 if min(reading.horizontal.shape) > 1 or reading.horizontal.is_list else 2  # below a section it would be a line, which Globe Grid does not take
+    mesh = _mesh(reading, np.arange(levels, dtype=float))
     for name, values in arrays.items():
-        mesh.point_data[name] = np.ascontiguousarray(values, dtype=np.float32).ravel()
+        mesh.point_data[name] = np.tile(np.ravel(values), levels).astype(np.float32)
     return mesh

@@ -34,8 +34,8 @@ def axis_of_section(grid: pyvista.DataSet) -> str | None:
     return "latitude" if longitudes == 1 else "longitude"
 
 
-def unrolled(grid: pyvista.StructuredGrid, shape: float) -> tuple[pyvista.StructuredGrid, dict[str, tuple[str, float]]]:
-    """The section of a globe or a map in the plane y = 0, and the title and the length in the scene of one unit of x and z. `shape`: its height over its width there."""
+def unrolled(grid: pyvista.StructuredGrid, shape: float, scale: float | None = None) -> tuple[pyvista.StructuredGrid, dict[str, tuple[str, float]]]:
+    """The section of a globe or a map in the plane y = 0, and the title and the length in the scene of one unit of x and z. `shape`: its height over its width there, unless `scale` is the length of 1 km."""
     points = np.asarray(grid.points, float)
     radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
     stretch = float(np.ravel(grid.field_data.get("VerticalExaggeration", [1.0]))[0]) or 1.0
@@ -50,7 +50,7 @@ def unrolled(grid: pyvista.StructuredGrid, shape: float) -> tuple[pyvista.Struct
         rows = np.radians(degrees.reshape(grid.dimensions[::-1])[:, 0, :])
         degrees = np.ravel(np.degrees(np.unwrap(rows, axis=-1)))
     heights = heights / (1000.0 * stretch)  # km
-    scale = shape * (np.ptp(degrees) or 1.0) / (np.ptp(heights) or 1.0)
+    scale = scale or shape * (np.ptp(degrees) or 1.0) / (np.ptp(heights) or 1.0)
     sheet = grid.copy(deep=False)
     sheet.points = np.column_stack((degrees, 0 * degrees, scale * heights))
     sign = "°N" if along == "latitude" else "°E"

@@ -3,13 +3,14 @@
 """Where the camera of a first picture is: above the data, above where the field is, or where the user wants it."""
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Sequence
 
 import numpy as np
 import pyvista
 
 from .._checks import require_number
 from .._fields import preset_of_field
+from .._medium import readable
 from ..globe import EARTH_RADIUS
 
 AMERICA = np.array([0.3, -1.0, 0.35])  # of fields all round the globe
@@ -31,6 +32,22 @@ class PicturePlotter(pyvista.Plotter):
 
     def _cameras(self) -> tuple:
         return tuple((*one.camera.GetPosition(), *one.camera.GetFocalPoint(), *one.camera.GetViewUp(), one.camera.GetViewAngle(), one.camera.GetParallelScale()) for one in self.renderers)
+
+
+def picture_theme(background: Any = None) -> pyvista.themes.Theme:
+    """PyVista's dark theme or, if the user has chosen a theme whose background is not that of the default theme, the user's; with another `background`, text is readable on it."""
+    theme = pyvista.themes.DarkTheme()
+    if pyvista.global_theme.background != pyvista.themes.DocumentTheme().background:
+        theme.load_theme(pyvista.global_theme)
+    if background is not None:
+        theme.background = background
+        theme.font.color = readable(theme.font.color, theme.background)
+    return theme
+
+
+def picture_plotter(off_screen: bool, window_size: Sequence[int], background: Any) -> PicturePlotter:
+    """An empty plotter for a picture; see `picture_theme`."""
+    return PicturePlotter(off_screen=off_screen, theme=picture_theme(background), window_size=window_size)
 
 
 def is_place(view: Any) -> bool:
