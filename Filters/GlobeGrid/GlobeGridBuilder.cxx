@@ -195,7 +195,7 @@ bool GlobeGridBuilder::IsBelowGround(const std::array<int, 3>& index) const
 // At an added pole the mean of its ring's, not a number if all are missing.
 double GlobeGridBuilder::SurfaceValue(vtkDataArray* values, const std::array<int, 3>& index) const
 {
-  const int level = this->SurfaceGrid->Dimensions()[2] == 1 ? 0 : index[2];
+  const int level = std::min(index[2], this->SurfaceGrid->Dimensions()[2] - 1);
   const auto at = [&](int column) {
     return values->GetComponent(
       this->SurfaceGrid->Id(this->SurfaceOrder.InputPoint(column, index[1], level)), 0);
