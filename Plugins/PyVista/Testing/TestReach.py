@@ -34,7 +34,7 @@ CLASSES = {
     "vtkTextureCoordinateAdvection": (["TextureAdvection.xml"], ["advection"]),
     "vtkSparseVolumeReader": (["SparseVolume.xml"], ["sparse"]),
     "vtkSparseVolumeWriter": (["SparseVolume.xml"], ["sparse"]),
-    "vtkCellCompositingMapper": (["Representations.xml.in", "MediumProperties.xml.in"], ["cells", "_medium", "_surfaces"]),
+    "vtkCellCompositingMapper": (["Representations.xml.in", "MediumProperties.xml.in"], ["cells", "_layers", "_medium", "_surfaces"]),
     "vtkTexturedSplatMapper": (["TexturedSplats.xml.in", "MediumProperties.xml.in"], ["splats", "_medium", "_vectors"]),
     "vtkCloudTextureMapper": (["CloudTexture.xml.in"], ["cloud_texture"]),
     "vtkCloudOptics": (["CloudOptics.xml"], ["optics"]),
