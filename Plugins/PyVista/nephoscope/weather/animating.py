@@ -133,7 +133,7 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
         options = {"vertical_exaggeration": section.nephoscope._exaggeration(options), **options}
     options = {"heights": heights, "owned": found is not dataset, **options}
     series = DatasetSeries(section, **options)
-    if whole and axis_of_section(series.mesh):
+    if whole and "GlobeGridProjection" in series.mesh.field_data and axis_of_section(series.mesh):
         series.stop()
         from .flat_picture import shape_of_section
         series = SectionSeries(section, shape_of_section(plotter), **options)
