@@ -142,6 +142,16 @@ class Forms(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "only fill values"):
             dataset.assign_coords(nav_lat=dataset.nav_lat * np.nan).nephoscope.globe()
 
+    def test_all_spellings_of_degrees(self):
+        """CF 1.11, sections 4.1 and 4.2; the names say nothing."""
+        lon, lat = np.meshgrid(LON, LAT)
+        for east in ("degrees_east", "degree_east", "degree_E", "degrees_E", "degreeE", "degreesE"):
+            north = east.replace("east", "north").replace("E", "N")
+            dataset = xr.Dataset({"tos": (("j", "i"), lat)}, {"p": (("j", "i"), lon, {"units": east}), "q": (("j", "i"), lat, {"units": north})})
+            grid = dataset.nephoscope.globe()
+            sines = np.asarray(grid.points)[:, 2] / np.linalg.norm(grid.points, axis=1)
+            np.testing.assert_allclose(np.degrees(np.arcsin(sines)), np.asarray(grid["tos"]), atol=1e-3, err_msg=east)
+
     def test_the_seam_of_an_ocean_model_is_closed_once(self):
         """Columns round the globe, bent and shifted; without a halo, with one of two columns, and with the first repeated."""
         columns = np.arange(36)

@@ -16,8 +16,11 @@ from .gaps import told as told_gaps, with_gaps
 from .gaussian import Rows, find_rows
 from .projections import Projection, find_lost_projection, find_projection, mapping_of, row_angles, vectors
 
-_LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "tlong", "mesh2d_face_x", "xlong_m", "lon2d", "grid_center_lon")
-_LAT = ("lat", "latitude", "lats", "xlat", "nav_lat", "glat", "clat", "latcell", "lat_rho", "geolat", "tlat", "mesh2d_face_y", "xlat_m", "lat2d", "grid_center_lat")
+# Spellings of CF 1.11, sections 4.1 and 4.2, in lower case.
+_EAST = ("degrees_east", "degree_east", "degree_e", "degrees_e", "degreee", "degreese")
+_NORTH = ("degrees_north", "degree_north", "degree_n", "degrees_n", "degreen", "degreesn")
+_LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "geolon_t", "tlong", "mesh2d_face_x", "xlong_m", "lon2d", "grid_center_lon")
+_LAT = ("lat", "latitude", "lats", "xlat", "nav_lat", "glat", "clat", "latcell", "lat_rho", "geolat", "geolat_t", "tlat", "mesh2d_face_y", "xlat_m", "lat2d", "grid_center_lat")
 _NUMBERED = re.compile(r"(g\d+_|grid)(lon|lat)(_\d+)?")  # of NCL
 
 
@@ -81,11 +84,11 @@ def beyond_seam(field: np.ndarray) -> np.ndarray:
 
 
 def is_longitude(name: str, variable) -> bool:
-    return _is_axis(name, variable, "longitude", ("degrees_east", "degree_east", "degreee", "degreese"), _LON)
+    return _is_axis(name, variable, "longitude", _EAST, _LON)
 
 
 def is_latitude(name: str, variable) -> bool:
-    return _is_axis(name, variable, "latitude", ("degrees_north", "degree_north", "degreen", "degreesn"), _LAT)
+    return _is_axis(name, variable, "latitude", _NORTH, _LAT)
 
 
 def _is_axis(name: str, variable, standard: str, units: tuple[str, ...], names: tuple[str, ...]) -> bool:
