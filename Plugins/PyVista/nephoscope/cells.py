@@ -224,8 +224,12 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         scalars, clim, preference = np.ones(grid.n_cells), (0, 1), "cell"
     grid, array_name, association = scalar_array(grid, scalars, preference, component)
     mapper = CellCompositingMapper()
-    given = [opacity, opacity_scalars, opacity_unit_distance, layers, *[cmap] * isinstance(cmap, pyvista.LookupTable), *[opacity_scale] * (opacity_scale != 1)]
-    fainter = FAINTER if uniform and opacity_scalars is None else 1.0 if surfaces.values is None or any(one is not None for one in given) else AROUND_CONTOURS
+    has_own_opacity = (any(one is not None for one in (opacity, opacity_scalars, opacity_unit_distance, layers)) or opacity_scale != 1
+                       or isinstance(cmap, pyvista.LookupTable))
+    if uniform and opacity_scalars is None:
+        fainter = FAINTER
+    else:
+        fainter = 1.0 if surfaces.values is None or has_own_opacity else AROUND_CONTOURS
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim, opacity_scale, preset, fainter, component).attach(mapper, plotter, grid, array_name, association, preference, opacity_unit_distance)
     choose({"exact": mapper.SetIntegrationToExact, "average": mapper.SetIntegrationToAverage}, integration, "integration")
     choose({"exact": mapper.SetVisibilityOrderToExact, "centroid": mapper.SetVisibilityOrderToCentroid,

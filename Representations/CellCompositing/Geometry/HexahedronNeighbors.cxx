@@ -6,8 +6,6 @@
 #include "Buckets.h"
 #include "CoincidentPoints.h"
 
-#include "vtkSMPTools.h"
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>

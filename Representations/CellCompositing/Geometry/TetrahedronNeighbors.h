@@ -44,8 +44,8 @@ struct TetrahedronNeighbors
   std::vector<std::array<std::int32_t, 4>> BoundaryFaces;
   std::size_t NumberOfJumps = 0; ///< at the end of them
 
-  std::vector<std::int32_t>
-    MergedPoints; ///< number that stands for each point; empty where none is at the place of another
+  /** The number that stands for each point; empty where none is at the place of another. */
+  std::vector<std::int32_t> MergedPoints;
   bool DependOnValues =
     false; ///< there are points at the same place, which are merged where their values are equal
 

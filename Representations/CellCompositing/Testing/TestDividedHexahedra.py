@@ -9,9 +9,9 @@ import unittest
 import numpy as np
 from nephoscope_testing import meshes, polyhedra
 from nephoscope_testing.checks import mapper
-from TestTrilinearCells import CLEAR_BELOW, RAMP, STEP, VIEWS, Drawn, even, smooth, steep, tapered, turned, unstructured, with_values
+from TestTrilinearCells import CLEAR_BELOW, RAMP, STEP, VIEWS, Drawn, clip, even, smooth, steep, tapered, turned, unstructured, with_values
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkDataSetAttributes, vtkPlane, vtkPlaneCollection
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA, vtkDataSetAttributes
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 FEW = ("far", "along_z", "diagonal", "inside", "on_a_point")
@@ -48,11 +48,7 @@ def halves(values_of):
         meshes.add_array(half.GetPointData(), np.asarray(values_of(meshes.points_of(half), block), np.float32))
         append.AddInputData(half)
     append.Update()
-    return as_hexahedra(append.GetOutput())
-
-
-def as_hexahedra(voxels):
-    return turned(voxels, seed=8)
+    return turned(append.GetOutput())
 
 
 def cells_of(field=steep, shape=tapered):
@@ -140,13 +136,6 @@ class DividedHexahedra(unittest.TestCase):
         self.compare(data, "missing", warns=True)
 
     def test_clipped(self):
-        def clip(_scene, made):
-            plane, planes = vtkPlane(), vtkPlaneCollection()
-            plane.SetOrigin(0.04, 0, 0)
-            plane.SetNormal(1, 0.3, 0.2)
-            planes.AddItem(plane)
-            made.SetClippingPlanes(planes)
-
         self.compare(cells_of(), "clipped", settings=clip)
 
     def test_beside_another_medium(self):

@@ -110,6 +110,14 @@ def turned(data, seed=6):
     return result
 
 
+def clip(_scene, made):
+    plane, planes = vtkPlane(), vtkPlaneCollection()
+    plane.SetOrigin(0.04, 0, 0)
+    plane.SetNormal(1, 0.3, 0.2)
+    planes.AddItem(plane)
+    made.SetClippingPlanes(planes)
+
+
 class Drawn:
     def __init__(self, data, transfer=RAMP, settings=None, association="point", matrix=None, trilinear=True):
         self.window = Window((SIZE, SIZE))
@@ -335,13 +343,6 @@ class TrilinearCells(unittest.TestCase):
         self.assertEqual(pair[1].window.messages.all != [], warns)
 
     def test_clipped_and_before_a_surface(self):
-        def clip(_scene, made):
-            plane, planes = vtkPlane(), vtkPlaneCollection()
-            plane.SetOrigin(0.04, 0, 0)
-            plane.SetNormal(1, 0.3, 0.2)
-            planes.AddItem(plane)
-            made.SetClippingPlanes(planes)
-
         def wall(scene, _made):
             source = vtkPlaneSource()
             source.SetOrigin(-1, -1, -0.1)
