@@ -264,6 +264,7 @@ public:
    */
   void SetSurfaceConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetSurfaceData(vtkDataObject* data) { this->SetInputData(1, data); }
+  void RemoveSurface() { this->SetInputConnection(1, nullptr); }
   ///@}
 
   vtkTypeBool ProcessRequest(

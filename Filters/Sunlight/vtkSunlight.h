@@ -57,6 +57,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
+  /** Disconnects the second input, the third input. */
+  void RemoveClouds() { this->SetInputConnection(1, nullptr); }
+  void RemoveSun() { this->SetInputConnection(2, nullptr); }
+  ///@}
+
+  ///@{
   /** Direction towards the sun, in the coordinates of the data, with any length > 0. Default (1, -1, 1). Used if DateTime is empty. */
   vtkSetVector3Macro(SunDirection, double);
   vtkGetVector3Macro(SunDirection, double);

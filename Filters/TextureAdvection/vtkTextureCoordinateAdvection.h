@@ -93,11 +93,14 @@ public:
     CARTESIAN = 3
   };
 
+  ///@{
   /**
    * Port 1, optional: points to trace instead of the points of the grid, such as a cloud surface at the requested time. The
    * output is then this dataset.
    */
   void SetPointsConnection(vtkAlgorithmOutput* points);
+  void RemovePoints() { this->SetInputConnection(1, nullptr); }
+  ///@}
 
   ///@{
   /**

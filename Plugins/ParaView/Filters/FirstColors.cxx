@@ -142,6 +142,17 @@ ColoredArray ActiveScalars(vtkPVDataInformation* data)
   return {};
 }
 
+// What a display is coloured by; without a name where it has one colour.
+ColoredArray ColoredBy(vtkSMProxy* display)
+{
+  const vtkSMPropertyHelper colored(display, "ColorArrayName", true);
+  if (colored.GetNumberOfElements() != 5 || !colored.GetAsString(4))
+  {
+    return {};
+  }
+  return { colored.GetAsString(4), colored.GetAsInt(3) };
+}
+
 // White smoke cannot be seen on the palette's background if that is bright.
 void DarkenOnBrightBackground(vtkSMProxy* display)
 {
@@ -162,14 +173,13 @@ void DarkenOnBrightBackground(vtkSMProxy* display)
 // A surface at one value of an array has one colour in the colours of that array, and not the best one.
 bool IsColoredByContouredArray(vtkSMProxy* display, vtkSMProxy* source, vtkPVDataInformation* data)
 {
-  const vtkSMPropertyHelper colored(display, "ColorArrayName", true),
-    contoured(source, "SelectInputScalars", true);
+  const vtkSMPropertyHelper contoured(source, "SelectInputScalars", true);
   std::string name = contoured.GetNumberOfElements() == 5 && contoured.GetAsString(4)
     ? contoured.GetAsString(4)
     : "";
   name = name.empty() ? ActiveScalars(data).Name
                       : name; // as a filter does that was made before there were data
-  return colored.GetNumberOfElements() == 5 && name == colored.GetAsString(4);
+  return name == ColoredBy(display).Name;
 }
 
 // The light of smoke that is to be white, 0 of other data. Thin smoke sends less light than clouds: in their colours it would be grey.
@@ -219,10 +229,7 @@ void colorFirst(
   const bool given = data->GetArrayInformation(how.c_str(), array.Association) != nullptr;
   if (!given && display->GetUsingScalarColoring()) // as its input is, for one
   {
-    const vtkSMPropertyHelper colored(display, "ColorArrayName", true);
-    UseWeatherPreset(display,
-      colored.GetNumberOfElements() == 5 && colored.GetAsString(4) ? colored.GetAsString(4) : "",
-      data);
+    UseWeatherPreset(display, ColoredBy(display).Name, data);
     return;
   }
   if (!given)
@@ -241,7 +248,7 @@ void colorFirst(
 void colorByPreset(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset)
 {
-  const ColoredArray array = ActiveScalars(source->GetDataInformation(port));
+  const ColoredArray array = ColoredBy(display);
   display->SetScalarColoring(array.Name.c_str(), array.Association); // it is, but has no colors yet
   vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
   if (colors && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset))

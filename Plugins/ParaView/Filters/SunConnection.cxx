@@ -25,9 +25,10 @@ bool isSun(vtkSMProxy* proxy)
   return isA(proxy, "sources", "Sun");
 }
 
-bool isSunlight(vtkSMProxy* proxy)
+// Whether a proxy computes the light of a sun.
+bool isSunlit(vtkSMProxy* proxy)
 {
-  return isA(proxy, "filters", "Sunlight");
+  return isA(proxy, "filters", "Sunlight") || isA(proxy, "sources", "CloudsOverTheGlobe");
 }
 
 void forEachInPipeline(vtkSMProxy* any, const std::function<void(vtkSMProxy*)>& act)
@@ -41,13 +42,13 @@ void forEachInPipeline(vtkSMProxy* any, const std::function<void(vtkSMProxy*)>& 
   }
 }
 
-void connect(vtkSMProxy* sunlight, vtkSMProxy* sun)
+void connect(vtkSMProxy* lit, vtkSMProxy* sun)
 {
-  auto* input = vtkSMInputProperty::SafeDownCast(sunlight->GetProperty("Sun"));
+  auto* input = vtkSMInputProperty::SafeDownCast(lit->GetProperty("Sun"));
   if (input && input->GetNumberOfProxies() == 0)
   {
     input->SetInputConnection(0, sun, 0);
-    sunlight->UpdateVTKObjects();
+    lit->UpdateVTKObjects();
   }
 }
 }
@@ -57,13 +58,13 @@ void connectToSun(vtkSMProxy* proxy)
   if (isSun(proxy))
   {
     forEachInPipeline(proxy, [proxy](vtkSMProxy* other) {
-      if (isSunlight(other))
+      if (isSunlit(other))
       {
         connect(other, proxy);
       }
     });
   }
-  else if (isSunlight(proxy))
+  else if (isSunlit(proxy))
   {
     vtkSMProxy* latest = nullptr;
     forEachInPipeline(proxy, [&latest](vtkSMProxy* other) {

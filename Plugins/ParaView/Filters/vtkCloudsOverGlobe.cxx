@@ -3,8 +3,10 @@
 #include "vtkCloudsOverGlobe.h"
 
 #include "ForwardedMessages.h"
+#include "GroundLight.h"
 
 #include "vtkCellArray.h"
+#include "vtkCloudOptics.h"
 #include "vtkExecutive.h"
 #include "vtkGlobeGrid.h"
 #include "vtkImageData.h"
@@ -18,16 +20,20 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkResourceFileLocator.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
+#include "vtkSunlight.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <vector>
 
+using nephoscope::GroundLight;
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
 vtkStandardNewMacro(vtkCloudsOverGlobe);
@@ -44,19 +50,65 @@ constexpr const char* forecastFile = "gfs_2p5deg_2011101100.nc";
 constexpr const char* earthFile = "blue_marble_2048.jpg";
 constexpr int columns = 720; // of the Earth's points, half a degree apart
 constexpr int rows = 360;
+constexpr int sunPort = 2;    // of vtkSunlight
+constexpr double white = 0.6; // the light that the preset Nephoscope Sunlight shows as white
+constexpr double night = 0.01;
+constexpr double gamma = 2.2; // of a display
+
+// The colour of a point of the Earth in the irradiance there. The bytes of the picture are those of a display.
+void addColour(
+  vtkUnsignedCharArray* colours, vtkImageData* image, int column, int row, double irradiance)
+{
+  const int* size = image->GetDimensions();
+  const int x = std::min((column % columns) * size[0] / columns, size[0] - 1);
+  const int y = std::min(row * size[1] / rows, size[1] - 1);
+  const double factor = std::pow(std::max(irradiance / white, night), 1 / gamma);
+  for (int c = 0; c < 3; ++c)
+  {
+    const double value = factor * image->GetScalarComponentAsDouble(x, y, 0, c);
+    colours->InsertNextValue(static_cast<unsigned char>(std::min(value, 255.0)));
+  }
+}
+
+vtkSmartPointer<vtkCellArray> quadsOfEarth()
+{
+  auto quads = vtkSmartPointer<vtkCellArray>::New();
+  for (vtkIdType j = 0; j < rows; ++j)
+  {
+    for (vtkIdType i = 0; i < columns; ++i)
+    {
+      const vtkIdType first = j * (columns + 1) + i;
+      const vtkIdType corners[4] = { first, first + 1, first + columns + 2, first + columns + 1 };
+      quads->InsertNextCell(4, corners);
+    }
+  }
+  return quads;
+}
 }
 
 vtkCloudsOverGlobe::vtkCloudsOverGlobe()
 {
-  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
-  nephoscope::forwardMessages(this->Reader, this);
-  nephoscope::forwardMessages(this->Globe, this);
+  for (vtkAlgorithm* part :
+    std::initializer_list<vtkAlgorithm*>{ this->Reader, this->Globe, this->Optics, this->Light })
+  {
+    nephoscope::forwardMessages(part, this);
+  }
   this->Reader->SphericalCoordinatesOff();
   this->Globe->SetInputConnection(this->Reader->GetOutputPort());
+  this->Optics->SetInputConnection(this->Globe->GetOutputPort());
+  this->Light->SetInputConnection(this->Optics->GetOutputPort());
 }
 
 vtkCloudsOverGlobe::~vtkCloudsOverGlobe() = default;
+
+int vtkCloudsOverGlobe::FillInputPortInformation(int vtkNotUsed(port), vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
 
 int vtkCloudsOverGlobe::FillOutputPortInformation(int port, vtkInformation* info)
 {
@@ -136,80 +188,69 @@ int vtkCloudsOverGlobe::Inform(vtkInformationVector* outputs)
 
 int vtkCloudsOverGlobe::MakeOutputs(vtkInformationVector* outputs)
 {
-  vtkInformation* earth = outputs->GetInformationObject(1);
-  this->MakeClouds(outputs->GetInformationObject(0), vtkStructuredGrid::GetData(outputs, 0));
-  if (!earth->Has(SDDP::UPDATE_PIECE_NUMBER()) || earth->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
+  this->Light->SetInputDataObject(sunPort, this->GetInputDataObject(1, 0));
+  this->Light->SetDateTime(this->DateTime);
+  this->Light->UpdateWholeExtent();
+  auto* lit = vtkStructuredGrid::SafeDownCast(this->Light->GetOutputDataObject(0));
+  if (!lit || lit->GetNumberOfPoints() == 0) // Sunlight has said why
   {
-    this->MakeEarth(vtkPolyData::GetData(outputs, 1));
+    return 0;
+  }
+  vtkInformation* ofClouds = outputs->GetInformationObject(0);
+  vtkStructuredGrid* clouds = vtkStructuredGrid::GetData(outputs, 0);
+  clouds->ShallowCopy(lit);
+  if (ofClouds->Has(SDDP::UPDATE_EXTENT()))
+  {
+    clouds->Crop(ofClouds->Get(SDDP::UPDATE_EXTENT()));
+  }
+  vtkInformation* ofEarth = outputs->GetInformationObject(1);
+  if (!ofEarth->Has(SDDP::UPDATE_PIECE_NUMBER()) || ofEarth->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
+  {
+    return this->MakeEarth(lit, vtkPolyData::GetData(outputs, 1)) ? 1 : 0;
   }
   return 1;
 }
 
-void vtkCloudsOverGlobe::MakeClouds(vtkInformation* outInfo, vtkStructuredGrid* clouds)
-{
-  this->Globe->UpdateWholeExtent();
-  clouds->ShallowCopy(this->Globe->GetOutputDataObject(0));
-  if (outInfo->Has(SDDP::UPDATE_EXTENT()))
-  {
-    clouds->Crop(outInfo->Get(SDDP::UPDATE_EXTENT()));
-  }
-}
-
 // The picture runs from 180 degrees west to 180 degrees east, its first row is the south.
-void vtkCloudsOverGlobe::MakeEarth(vtkPolyData* earth)
+bool vtkCloudsOverGlobe::MakeEarth(vtkStructuredGrid* lit, vtkPolyData* earth)
 {
   const std::string file = this->FindFile(earthFile);
   if (file.empty())
   {
-    return;
+    return false;
   }
   vtkNew<vtkJPEGReader> picture;
   picture->SetFileName(file.c_str());
   picture->Update();
-  vtkImageData* image = picture->GetOutput();
-  const int* size = image->GetDimensions();
+  const GroundLight light(lit);
   vtkNew<vtkPoints> points;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetName("Earth");
   colours->SetNumberOfComponents(3);
+  const double radius = this->Globe->GetPlanetRadius();
   for (int j = 0; j <= rows; ++j)
   {
     const double latitude = vtkMath::Pi() * (static_cast<double>(j) / rows - 0.5);
     for (int i = 0; i <= columns; ++i)
     {
       const double longitude = vtkMath::Pi() * (2.0 * (i % columns) / columns - 1.0);
-      const double radius = this->Globe->GetPlanetRadius();
       const double across = j % rows == 0 ? 0.0 : radius * std::cos(latitude);
       points->InsertNextPoint(
         across * std::cos(longitude), across * std::sin(longitude), radius * std::sin(latitude));
-      for (int c = 0; c < 3; ++c)
-      {
-        const int x = std::min((i % columns) * size[0] / columns, size[0] - 1);
-        const double value =
-          image->GetScalarComponentAsDouble(x, std::min(j * size[1] / rows, size[1] - 1), 0, c);
-        colours->InsertNextValue(static_cast<unsigned char>(value));
-      }
-    }
-  }
-  vtkNew<vtkCellArray> quads;
-  for (vtkIdType j = 0; j < rows; ++j)
-  {
-    for (vtkIdType i = 0; i < columns; ++i)
-    {
-      const vtkIdType first = j * (columns + 1) + i;
-      const vtkIdType corners[4] = { first, first + 1, first + columns + 2, first + columns + 1 };
-      quads->InsertNextCell(4, corners);
+      addColour(colours, picture->GetOutput(), i, j, light.At(longitude, latitude));
     }
   }
   earth->SetPoints(points);
-  earth->SetPolys(quads);
-  earth->GetPointData()->AddArray(
-    colours); // no active scalars, which ParaView would colour by, with a scalar bar
+  earth->SetPolys(quadsOfEarth());
+  // No active scalars, which ParaView would colour by, with a scalar bar.
+  earth->GetPointData()->AddArray(colours);
+  return true;
 }
 
 void vtkCloudsOverGlobe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "VerticalExaggeration: " << this->VerticalExaggeration << "\n"
+     << indent << "DateTime: " << this->DateTime << "\n"
      << indent << "Folder: " << this->Folder << "\n";
 }

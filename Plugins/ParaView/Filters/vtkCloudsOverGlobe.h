@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCloudsOverGlobe
- * @brief the forecast that comes with Nephoscope, on a globe: an example to start from
+ * @brief the forecast that comes with Nephoscope, on a globe, in sunlight: an example to start from
  *
- * Port 0: the forecast as vtkGlobeGrid places it, vtkStructuredGrid. Port 1: the Earth, vtkPolyData with the colours of Blue Marble as
- * the point array Earth (unsigned char, RGB), not active. The files are searched in Folder, otherwise in share/nephoscope beside the library and above
+ *     vtkNetCDFCFReader -> vtkGlobeGrid -> vtkCloudOptics -> vtkSunlight -> port 0: vtkStructuredGrid
+ *                                                                 |
+ *                              Blue Marble -> times the light at the ground -> port 1: vtkPolyData
+ *
+ * Port 1 is the Earth, with colours as the point array Earth (unsigned char, RGB), not active. The files are searched in Folder, otherwise in share/nephoscope beside the library and above
  * it, otherwise in the folder that the environment variable NEPHOSCOPE_DATA names. On several processes each has its piece of the forecast; the Earth is in the
  * first one.
  */
@@ -18,10 +21,12 @@
 
 #include <string> // for the folder
 
+class vtkCloudOptics;
 class vtkGlobeGrid;
 class vtkNetCDFCFReader;
 class vtkPolyData;
 class vtkStructuredGrid;
+class vtkSunlight;
 
 class VTKNEPHOSCOPEPARAVIEWFILTERS_EXPORT vtkCloudsOverGlobe : public vtkAlgorithm
 {
@@ -37,6 +42,18 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Date and time in UTC, which determine the position of the sun as in vtkSunlight. Default "2011-10-10 20:00": afternoon over the Americas. A vtkSunSource as
+   * the second input takes its place. The first input is not used: ParaView's scripts connect the active source to it.
+   */
+  vtkSetMacro(DateTime, std::string);
+  vtkGetMacro(DateTime, std::string);
+  ///@}
+
+  /** Disconnects the second input. */
+  void RemoveSun() { this->SetInputConnection(1, nullptr); }
+
+  ///@{
   /** Where the files are. Empty (default): found automatically. */
   vtkSetMacro(Folder, std::string);
   vtkGetMacro(Folder, std::string);
@@ -49,6 +66,7 @@ protected:
   vtkCloudsOverGlobe();
   ~vtkCloudsOverGlobe() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
 
 private:
@@ -58,12 +76,14 @@ private:
   std::string FindFile(const char* name);
   int MakeOutputs(vtkInformationVector* outputs);
   int Inform(vtkInformationVector* outputs);
-  void MakeClouds(vtkInformation* outInfo, vtkStructuredGrid* clouds);
-  void MakeEarth(vtkPolyData* earth);
+  bool MakeEarth(vtkStructuredGrid* lit, vtkPolyData* earth);
 
   vtkNew<vtkNetCDFCFReader> Reader;
   vtkNew<vtkGlobeGrid> Globe;
+  vtkNew<vtkCloudOptics> Optics;
+  vtkNew<vtkSunlight> Light;
   double VerticalExaggeration = 30.0;
+  std::string DateTime = "2011-10-10 20:00";
   std::string Folder;
 };
 

@@ -15,7 +15,7 @@ def check_example():
     view = new_view()
     clouds = pvs.Show(example, view)
     check(clouds.Representation == "Cell Compositing", f"the clouds are shown as {clouds.Representation}")
-    check(clouds.ColorArrayName[1] == "cloud_fraction", f"coloured by {clouds.ColorArrayName}")
+    check(clouds.ColorArrayName[1] == "Sunlight", f"coloured by {clouds.ColorArrayName}")
     pvs.Hide(example, view)
     ground = pvs.Show(pvs.OutputPort(example, 1), view)
     check(not ground.ColorArrayName[1], f"the window shows a scalar bar of {ground.ColorArrayName[1]}")
@@ -34,12 +34,36 @@ def check_example():
     save_image(both, "CloudsOverGlobe")
     whiter = ((both - earth).min(axis=2) > 30).mean()
     check(0.1 < whiter < 0.6, f"{whiter:.1%} of the picture are clouds")
+    check_daylight(example, view)
     example.UpdatePipeline()
     size = np.array(example.GetDataInformation().GetBounds())
     check(6.6e6 < size.max() < 7.2e6, f"bounds {size}")
     example.VerticalExaggeration = 100
     example.UpdatePipeline()
     check(max(example.GetDataInformation().GetBounds()) > 7.5e6, "the vertical exaggeration does not arrive")
+
+
+def check_daylight(example, view):
+    """On a day of equinox, without clouds, the irradiance of the ground follows the height of the sun: by it the Earth is lit, and its other half is dark."""
+    def earth(time):
+        example.DateandTimeUTC = time
+        return image(view)
+
+    pvs.Hide(example, view)
+    noon, midnight = earth("2011-03-20 18:00"), earth("2011-03-20 06:00")  # at 90 degrees west
+    seen = abs(noon - midnight).max(axis=2) > 20
+    check(seen.mean() > 0.1, f"{seen.mean():.1%} of the picture are brighter at noon than at midnight")
+    dark = midnight[seen].mean() / noon[seen].mean()
+    check(dark < 0.2, f"at midnight the Earth has {dark:.2f} of its brightness at noon")
+    morning = earth("2011-03-20 12:00")
+    east, west = (morning[:, half][seen[:, half]].mean() for half in (slice(morning.shape[1] // 2, None), slice(0, morning.shape[1] // 2)))
+    check(east > 1.5 * west, f"in the morning the east has {east:.0f}, the west {west:.0f}")
+    sun = pvs.Sun(DateTime="2011-03-20 06:00")  # takes the place of the example's own
+    check_same(image(view), midnight, "a Sun beside the example")
+    example.Sun = None
+    pvs.Delete(sun)
+    check_same(image(view), morning, "without the Sun")
+    pvs.Show(example, view)
 
 
 def check_nothing_chosen():

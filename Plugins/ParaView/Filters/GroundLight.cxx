@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GroundLight.h"
+
+#include "vtkDataArray.h"
+#include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nephoscope
+{
+namespace
+{
+double lessThanHalfTurn(double angle)
+{
+  return std::remainder(angle, 2 * vtkMath::Pi());
+}
+
+struct Place
+{
+  double Longitude, Latitude;
+};
+
+Place placeOf(vtkStructuredGrid* grid, int column, int row)
+{
+  double x[3];
+  grid->GetPoint(static_cast<vtkIdType>(row) * grid->GetDimensions()[0] + column, x);
+  return { std::atan2(x[1], x[0]), std::asin(x[2] / vtkMath::Norm(x)) };
+}
+}
+
+GroundLight::GroundLight(vtkStructuredGrid* lit)
+  : Irradiance(lit->GetPointData()->GetArray("Irradiance"))
+  , Columns(lit->GetDimensions()[0])
+  , Rows(lit->GetDimensions()[1])
+{
+  const int middle = this->Rows / 2; // longitudes of a pole mean nothing
+  const Place first = placeOf(lit, 0, middle);
+  this->FirstLongitude = first.Longitude;
+  this->LongitudeStep = lessThanHalfTurn(placeOf(lit, 1, middle).Longitude - first.Longitude);
+  this->FirstLatitude = placeOf(lit, 0, 0).Latitude;
+  this->LatitudeStep =
+    (placeOf(lit, 0, this->Rows - 1).Latitude - this->FirstLatitude) / (this->Rows - 1);
+}
+
+double GroundLight::Value(int column, int row) const
+{
+  const vtkIdType point = static_cast<vtkIdType>(row) * this->Columns + column;
+  return this->Irradiance->GetComponent(point, 0);
+}
+
+double GroundLight::At(double longitude, double latitude) const
+{
+  double turn = lessThanHalfTurn(longitude - this->FirstLongitude);
+  turn += turn < 0 ? 2 * vtkMath::Pi() : 0; // the last column is the first one again
+  const double x = std::clamp(turn / this->LongitudeStep, 0.0, this->Columns - 1.0);
+  const double y =
+    std::clamp((latitude - this->FirstLatitude) / this->LatitudeStep, 0.0, this->Rows - 1.0);
+  const int i = std::min(static_cast<int>(x), this->Columns - 2);
+  const int j = std::min(static_cast<int>(y), this->Rows - 2);
+  const auto alongRow = [&](int row) {
+    return this->Value(i, row) + (x - i) * (this->Value(i + 1, row) - this->Value(i, row));
+  };
+  return alongRow(j) + (y - j) * (alongRow(j + 1) - alongRow(j));
+}
+
+}
