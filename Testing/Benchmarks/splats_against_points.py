@@ -8,7 +8,8 @@ Both draw the same points with the same widths in one run: random points in a cu
 peer's gaussian has the standard deviation of the splats' kernel. Seconds are processor time of the whole process, software OpenGL
 included; the ratio is what to quote. A moving frame sorts anew. The second table gives each splat a cell of its own (a bent grid)
 or shares one (points), in a smaller picture, so that the number of splats counts; seconds are for a million splats. It says what a splat
-needs in memory: what the process grows by, software OpenGL's buffers included, and the share of buffers that a GPU would hold.
+needs in memory: what the process grows by, software OpenGL's buffers included, after the first frames and at most during them, and the share of buffers that a
+GPU would hold. Memory is measured in a process of its own with one thread of software OpenGL, because with more it keeps several frames that wait.
 
     ./nephoscope python Testing/Benchmarks/splats_against_points.py growth
 """
@@ -113,8 +114,8 @@ def seconds(window):
     return time.process_time() - start
 
 
-def frames(prop):
-    return times(*view(prop))
+def frames(prop, size=SIZE):
+    return times(*view(prop, size))
 
 
 def times(renderer, window):
@@ -145,18 +146,35 @@ def compare(count):
 
 
 def grow(kind, count):
-    view(splats(bent_grid(1000) if kind == "cells" else points_in_a_cube(1000)), GROWTH_SIZE)[1].Render()  # what OpenGL and the images need once
-    data = points_in_a_cube(count) if kind == "points" else bent_grid(count)
-    before = resident()
+    data = warmed(kind, count)
     millions = data.GetNumberOfPoints() / 1e6
-    scene = view(splats(data), GROWTH_SIZE)  # which holds what is measured
-    first, moving, still = (t / millions for t in times(*scene))
-    memory = (resident() - before) / data.GetNumberOfPoints()
-    print(f"| {data.GetNumberOfPoints()} | {kind} | {first:.2f} | {moving:.2f} | {still:.2f} | {memory:.0f} | {BUFFERS[kind]} |", flush=True)
+    first, moving, still = (t / millions for t in frames(splats(data), GROWTH_SIZE))
+    command = [sys.executable, __file__, "memory", kind, str(count)]
+    memory = subprocess.run(command, check=True, env=dict(os.environ, LP_NUM_THREADS="0"), stdout=subprocess.PIPE, text=True).stdout.strip()
+    print(f"| {data.GetNumberOfPoints()} | {kind} | {first:.2f} | {moving:.2f} | {still:.2f} | {memory} | {BUFFERS[kind]} |", flush=True)
+
+
+def print_memory(kind, count):
+    """Bytes of a splat after the first frames, and at most until then."""
+    data = warmed(kind, count)
+    before = resident()
+    with open("/proc/self/clear_refs", "w") as file:
+        file.write("5")  # the greatest size begins anew
+    renderer, window = view(splats(data), GROWTH_SIZE)
+    times(renderer, window)
+    with open("/proc/self/status") as file:
+        peak = next(1024 * int(line.split()[1]) for line in file if line.startswith("VmHWM"))
+    print(" | ".join(f"{(size - before) / data.GetNumberOfPoints():.0f}" for size in (resident(), peak)))
+
+
+def warmed(kind, count):
+    """The data, after a first picture of others, for which OpenGL and the images need what they need once."""
+    view(splats(bent_grid(1000) if kind == "cells" else points_in_a_cube(1000)), GROWTH_SIZE)[1].Render()
+    return points_in_a_cube(count) if kind == "points" else bent_grid(count)
 
 
 def growth():
-    print("| splats | shape | first | moving | still | bytes | of them buffers |\n|---|---|---|---|---|---|---|", flush=True)
+    print("| splats | shape | first | moving | still | bytes | at most | buffers |\n|---|---|---|---|---|---|---|---|", flush=True)
     for kind in ("points", "cells"):
         for power in (4, 5, 6, 7):
             subprocess.run([sys.executable, __file__, kind, str(10**power)], check=True)
@@ -167,6 +185,8 @@ def main():
         compare(10**6)
     elif sys.argv[1:] == ["growth"]:
         growth()
+    elif sys.argv[1:2] == ["memory"]:
+        print_memory(sys.argv[2], int(sys.argv[3]))
     elif sys.argv[1:]:
         grow(sys.argv[1], int(sys.argv[2]))
     else:

@@ -11,8 +11,8 @@
 namespace nephoscope
 {
 constexpr long long manySplats = 4000000;
-constexpr double bytesOfSplat =
-  285; // measured with ten million: Documentation/textured-splats.md, "Growth"
+// At most, while the first picture is made: Documentation/textured-splats.md, "Growth".
+constexpr double bytesOfSplat = 250;
 
 // Memory and time of all samples as splats, and what to do about it; empty where there are not many.
 inline std::string TellSplatCost(long long samples)
