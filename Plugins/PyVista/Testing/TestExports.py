@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """A plotter that exports says what it leaves out, each time, and what it shows is as before."""
+import functools
 import gc
 import os
 import tempfile
@@ -12,6 +13,7 @@ from unittest import mock
 import nephoscope
 import numpy as np
 import pyvista
+from vtkmodules.vtkCommonCore import vtkObject
 
 
 def grid():
@@ -33,11 +35,11 @@ class Exports(unittest.TestCase):
             add(plotter)
         return plotter
 
-    def said(self, plotter, kind, name=None):
+    def said(self, plotter, kind, name=None, by=None):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             try:
-                getattr(plotter, f"export_{kind}")(name or os.path.join(self.folder.name, f"scene.{kind}"))
+                getattr(by or plotter, f"export_{kind}")(name or os.path.join(self.folder.name, f"scene.{kind}"))
             except ImportError:
                 self.assertIn(kind, ("html", "vtksz"))  # without trame
         ours = [w for w in caught if "leaves out" in str(w.message)]
@@ -53,6 +55,78 @@ class Exports(unittest.TestCase):
                     self.assertEqual(len(said), 1)
                     self.assertRegex(said[0], f"^export_{kind} leaves out 1 volume of cells or splats, ")
         self.assertTrue(os.path.exists(os.path.join(self.folder.name, "scene.obj")))
+
+    def test_accessor_of_trame(self):
+        """plotter.trame, which PyVista 0.49 has, warns as the plotter does, once, whichever method calls which."""
+        def calls(plotter, kinds):
+            for kind in kinds:
+                for adds, expected in (([lambda p: nephoscope.add_cells(p, grid())], 1), ([], 0)):
+                    drawn = plotter(*adds)
+                    for by in (drawn.trame, drawn) if hasattr(drawn, f"export_{kind}") else (drawn.trame,):
+                        with self.subTest(kind, by=type(by).__name__):
+                            said = self.said(drawn, kind, by=by)
+                            self.assertEqual(len(said), expected, said)
+                            for text in said:
+                                self.assertRegex(text, f"^export_{kind} leaves out 1 volume of cells or splats, .* or nephoscope.serve")
+        calls(self.with_trame, ("html", "vtksz", "wasm_html", "wazex"))
+        if hasattr(pyvista.Plotter, "trame"):
+            calls(self.plotter, ("html", "vtksz"))  # the others need a network
+
+    def with_trame(self, *adds):
+        """A plotter with an accessor like that of PyVista 0.49, to which methods of the plotter pass their calls."""
+        class Trame:
+            def __init__(self, plotter):
+                self.plotter, self.calls = plotter, []
+
+            def export_html(self, filename):
+                self.calls.append("html")
+                return self.export_vtksz(None)
+
+            def export_vtksz(self, filename=None):
+                self.calls.append("vtksz")
+
+            def export_wasm_html(self, filename):
+                self.calls.append("wasm_html")
+
+            def export_wazex(self, filename=None):
+                self.calls.append("wazex")
+
+            def show(self, **options):
+                self.calls.append("show")
+                return self.export_html(None)
+
+        class Plotter(pyvista.Plotter):
+            trame = functools.cached_property(Trame)
+
+            def export_html(self, filename):
+                return self.trame.export_html(filename)
+
+            def export_vtksz(self, filename):
+                return self.trame.export_vtksz(filename)
+
+        plotter = Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        for add in adds:
+            add(plotter)
+        return plotter
+
+    def test_accessor_of_trame_shows(self):
+        for mode, expected in (("client", 1), ("html", 1), ("server", 0), ("trame", 0)):
+            plotter = self.with_trame(lambda p: nephoscope.add_splats(p, grid()))
+            with self.subTest(mode), warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                plotter.trame.show(mode=mode)
+            self.assertEqual(plotter.trame.calls, ["show", "html", "vtksz"])
+            ours = [str(w.message) for w in caught if f"The notebook backend {mode!r} draws in the browser and leaves out 1 volume" in str(w.message)]
+            self.assertEqual(len(ours), expected, caught)
+
+    def test_plotter_with_the_accessor_is_freed(self):
+        plotter = self.with_trame(lambda p: nephoscope.add_cells(p, grid()))
+        reference = weakref.ref(plotter)
+        self.doCleanups()
+        del plotter
+        gc.collect()
+        self.assertIsNone(reference())
 
     def test_pages_name_the_server(self):
         plotter = self.plotter(lambda p: nephoscope.add_cells(p, grid()))
@@ -84,6 +158,28 @@ class Exports(unittest.TestCase):
         for adds, words in (((cells, splats), "2 volumes of cells or splats"), ((clouds,), "the textures of clouds"), ((haze,), "the haze"),
                             ((haze, splats), "1 volume of cells or splats and the haze")):
             self.assertRegex(self.said(self.plotter(*adds), "obj")[0], f"leaves out {words}, which")
+
+    def test_nothing_else(self):
+        """Without any geometry there is no file, and no error of VTK after the warning. A plotter without anything has VTK's error as before."""
+        for kind in ("obj", "vrml"):
+            for alone in (True, False):
+                plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+                self.addCleanup(plotter.close)
+                nephoscope.add_cells(plotter, grid())
+                if not alone:
+                    plotter.add_mesh(pyvista.Sphere())
+                path = os.path.join(self.folder.name, f"alone{alone}.{kind}")
+                with self.subTest(kind, alone=alone), self.assertNoLogs(level="ERROR"):  # where PyVista puts errors of VTK
+                    said = self.said(plotter, kind, path)
+                    self.assertEqual([text.endswith(" There is nothing else, so no file is written.") for text in said], [alone])
+                    self.assertEqual(os.path.exists(path), not alone)
+                    self.assertTrue(vtkObject.GetGlobalWarningDisplay())
+        empty = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(empty.close)
+        nephoscope.add_cells(empty, grid(), name="x")
+        empty.remove_actor("x")
+        with self.assertLogs(level="ERROR"):
+            self.assertEqual(self.said(empty, "obj"), [])
 
     def test_nothing_is_left_out(self):
         self.assertEqual(self.said(self.plotter(), "obj"), [])

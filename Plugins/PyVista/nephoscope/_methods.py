@@ -1,19 +1,17 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Methods of one plotter that do something more than those of its class."""
+"""Methods of one plotter, or of a part of it, that do something more than those of its class."""
 from __future__ import annotations
 
 import functools
 import weakref
 from typing import Any, Callable
 
-import pyvista
 
+def wrap_method(plotter: Any, name: str, around: Callable[..., Any]) -> None:
+    """Makes `plotter.name(...)` call `around(plotter, method, ...)`, where `method` is that of the class. `plotter` may be another object.
 
-def wrap_method(plotter: pyvista.BasePlotter, name: str, around: Callable[..., Any]) -> None:
-    """Makes `plotter.name(...)` call `around(plotter, method, ...)`, where `method` is that of the class.
-
-    Nothing happens if the class has no such method, or if that of this plotter has been replaced before. The plotter is not kept alive.
+    Nothing happens if the class has no such method, or if that of this object has been replaced before. The object is not kept alive.
     """
     if name in vars(plotter) or not callable(getattr(plotter, name, None)):
         return

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 namespace nephoscope
 {
@@ -98,6 +99,20 @@ void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<
   places.swap(sortedPlaces);
 }
 
+// Shaders divide by the volume of a cell.
+std::string checkWidth(double widest)
+{
+  constexpr double smallest = 5e-13; // whose volume is a normal number in single precision
+  if (widest >= smallest)
+  {
+    return std::string();
+  }
+  std::ostringstream message;
+  message
+    << "The splats are at most " << widest
+    << " wide, too small for the single precision of graphics cards. Choose a smaller unit, so that they are at least 1e-12 wide.";
+  return message.str();
+}
 }
 
 void FindPlaceBounds(vtkDataSet* data, double bounds[6])
@@ -212,6 +227,7 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
     }
     samples.LongestEdge = std::max(samples.LongestEdge, LargestStretch(matrix));
   }
+  error = checkWidth(samples.LongestEdge);
   return samples;
 }
 

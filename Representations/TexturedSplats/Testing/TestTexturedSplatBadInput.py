@@ -39,6 +39,28 @@ class BadInput(unittest.TestCase):
     def test_too_long(self):
         self.expect("single precision", meshes.with_field(meshes.image((2, 2, 2), (1e13,) * 3), lambda p: p[:, 0]))
 
+    def test_too_small(self):
+        """Splats whose volume is no number in single precision are told; those just large enough are drawn as those of 1."""
+        def small(size, make):
+            return meshes.with_field(make(size), lambda p: p[:, 0] / size)
+        makers = {"image": lambda size: meshes.image((2, 2, 2), (size,) * 3, origin=(-size,) * 3),
+                  "points": lambda size: meshes.particles(size * np.mgrid[-1:2, -1:2, -1:2].reshape(3, -1).T)}
+        for name, make in makers.items():
+            pictures = []
+            for size in (1.0, 1e-12):
+                def configure(mapper, scene):
+                    scene.look((0, 0, 8 * size), (0, 0, 0))
+                    scene.renderer.GetVolumes().GetItemAsObject(0).GetProperty().SetScalarOpacityUnitDistance(size)
+                with self.subTest(name, size=size):
+                    messages, mapper = self.draw(small(size, make), configure)
+                    self.assertEqual(messages.all, [])
+                    pictures.append(float_image(mapper))
+            self.assertGreater(pictures[0].max(), 0.1)
+            np.testing.assert_allclose(pictures[1], pictures[0], atol=1e-3)
+            for size in (1e-13, 1e-20, 1e-30):
+                with self.subTest(name, size=size):
+                    self.expect("too small for the single precision of graphics cards. Choose a smaller unit", small(size, make))
+
     def test_missing_array(self):
         self.expect("No point array named 'q'", self.cube(), lambda m, s: m.SelectScalarArray("q"))
 
