@@ -273,16 +273,66 @@ class Water(unittest.TestCase):
 
     def test_messages_name_what_add_cells_has(self):
         for error, text, mesh, sun in (
-                (RuntimeError, r"sun\['water'\], or two by sun\['liquid'\]", slab(), True),
+                (RuntimeError, r"sun\['water'\], or by sun\['liquid'\]", slab(), True),
                 (RuntimeError, r"as sun\['ice'\] says", slab(qc=1), {"ice": "no"}),
                 (RuntimeError, r"Set sun\['units'\] to g/kg", slab(qc=1000), True),
                 (RuntimeError, r"name one by sun\['extinction'\]", slab(qc=1), {"extinction": "no"}),
-                (RuntimeError, ": sun is 'tomorrow'", slab(qc=1), "tomorrow"),
-                (RuntimeError, r"sun\['time'\] is 'tomorrow'", slab(qc=1), {"time": "tomorrow"}),
+                (ValueError, "^sun is 'tomorrow'; it must be a date", slab(qc=1), "tomorrow"),
+                (ValueError, r"^sun\['time'\] is 'tomorrow'", slab(qc=1), {"time": "tomorrow"}),
                 (ValueError, r"sun\['ground_albedo'\]", slab(qc=1), {"ground_albedo": 3}),
                 (ValueError, "sun has no option 'directions'", slab(qc=1), {"directions": (0, 0, 1)})):
             with self.subTest(text), self.assertRaisesRegex(error, text):
                 nephoscope.add_cells(pyvista.Plotter(), mesh, sun=sun)
+
+    def test_data_without_water(self):
+        """The message names an array of the mesh as the extinction, in a sun that draws it; no class that the user has not called."""
+        mesh = pyvista.ImageData(dimensions=(6, 6, 6))
+        mesh["v"], mesh["f"] = mesh.points, np.linspace(0, 1, mesh.n_points)
+        cells = pyvista.ImageData(dimensions=(6, 6, 6))
+        cells["f"] = np.linspace(0, 1, cells.n_cells)
+        suns = ((1, 0, 1), np.array([1, 0, 1]), "2011-10-11 18:30", True, {"direction": [1, 0, 1]})
+        cases = [(nephoscope.add_cells, mesh, sun) for sun in suns] + [(nephoscope.add_splats, cells, (1, 0, 1)), (nephoscope.add_cells, mesh.cast_to_unstructured_grid(), True)]
+        for add, data, sun in cases:
+            with self.subTest(add=add.__name__, sun=sun), self.assertRaisesRegex(RuntimeError, "^sun needs an extinction") as caught:
+                add(pyvista.Plotter(), data, "f", sun=sun)
+            remedy = str(caught.exception).split("the mesh: sun=")[1].split("}")[0] + "}"
+            self.assertIn("'extinction': 'f'", remedy)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", RuntimeWarning)  # of a date without a place
+                add(pyvista.Plotter(), data, "f", sun=eval(remedy))
+        with self.assertRaisesRegex(RuntimeError, r"Give it one: mesh\['Extinction'\] = "):
+            nephoscope.add_cells(pyvista.Plotter(), pyvista.ImageData(dimensions=(3, 3, 3)), sun=(1, 0, 1))
+
+    def test_wrong_suns_come_first(self):
+        """A direction without length and a time that is none are a ValueError, whatever else is missing."""
+        smoke, surface = lumps(), pyvista.Sphere()
+        adds = {"cells": lambda p, sun: nephoscope.add_cells(p, slab(), sun=sun), "splats": lambda p, sun: nephoscope.add_splats(p, slab(), sun=sun),
+                "with extinction": lambda p, sun: nephoscope.add_cells(p, smoke, sun=sun), "surface": lambda p, sun: nephoscope.add_cloud_texture(p, surface, sun=sun),
+                "haze": lambda p, sun: nephoscope.add_haze(p, sun=sun), "satellite": lambda p, sun: nephoscope.satellite_image(slab(), sun=sun)}
+        for what, add in adds.items():
+            for sun, text in (((0, 0, 0), r"is \(0, 0, 0\); it must be the direction towards the sun, such as"), ("noon", "is 'noon'; it must be a date and time in UTC"),
+                              ("2011-40-11", "must be a date and time"), ({"direction": (0, 0, 0)}, r"\['direction'\] is \(0, 0, 0\)"),
+                              ({"time": "noon"}, r"\['time'\] is 'noon'"), ((1, 0), "must be three numbers"), ((np.nan, 0, 1), "must be a finite number")):
+                with self.subTest(what, sun=sun), self.assertRaisesRegex(ValueError, "^sun.*" + text), warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    warnings.filterwarnings("ignore", category=DeprecationWarning)
+                    add(pyvista.Plotter(), sun)
+        for sun in ((0, 0, 0), "noon"):
+            with self.assertRaisesRegex(ValueError, "^direction is|^time is"), warnings.catch_warnings():
+                warnings.simplefilter("error", RuntimeWarning)
+                smoke.nephoscope.sunlight(sun)
+
+    def test_messages_of_plotter_functions_name_no_class(self):
+        for sun, kind in (({"direction": (0, 0, -1)}, "warning"), ({"extinction": "no"}, "error"), ({"ice": "no"}, "error")):
+            with self.subTest(kind, sun=sun), warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always", RuntimeWarning)
+                try:
+                    nephoscope.add_cells(pyvista.Plotter(), slab(qc=1), sun=sun)
+                except RuntimeError as problem:
+                    caught.append(problem)
+            told = [str(getattr(one, "message", one)) for one in caught]
+            self.assertTrue(told)
+            self.assertFalse([text for text in told if "vtk" in text], told)
 
 
 if __name__ == "__main__":

@@ -67,8 +67,21 @@ class Reader(unittest.TestCase):
             nephoscope.read_cf(PATH, variables=["u", "rain"])
 
     def test_not_a_netcdf_file(self):
-        with self.assertRaisesRegex((RuntimeError, ValueError), "vtkNetCDFCFReader|no variable"):
+        with self.assertRaisesRegex(ValueError, "TestReader.py is neither GRIB nor NetCDF, but a text file"):
             nephoscope.read_cf(__file__)
+        files = {"smoke.vtu": (b"<VTKFile>", r"smoke.vtu is a mesh. Read it by pyvista.read\('.*smoke.vtu'\).* `read_cf` reads NetCDF."),
+                 "a.grib2": (b"GRIB\0\0\0\2" + bytes(99), r"a.grib2 is GRIB. Open it by nephoscope.open\('.*a.grib2'\)"),
+                 "cut.nc": (b"CDF\1", "cut.nc cannot be read, probably because it is incomplete or damaged"), "b.png": (b"\x89PNG\r\n", "b.png is neither GRIB nor NetCDF: it begins")}
+        with tempfile.TemporaryDirectory() as folder:
+            for name, (content, words) in files.items():
+                path = os.path.join(folder, name)
+                with open(path, "wb") as file:
+                    file.write(content)
+                for read in (nephoscope.read_cf, nephoscope.cf_times):
+                    with self.subTest(name, read=read.__name__), self.assertRaisesRegex(ValueError, words):
+                        read(path)
+            with self.assertRaisesRegex(FileNotFoundError, "which is a folder"):
+                nephoscope.read_cf(folder)
 
 
 def level_file(path, dimensions, attributes=None, levels=(1000.0, 500, 200), missing=None, times=()):

@@ -120,7 +120,10 @@ class Files(unittest.TestCase):
 
     def test_files_that_cannot_be_drawn(self):
         for name, content, message in (("nothing.nc", None, "There is no file"), ("wrong.nc", b"no NetCDF", "wrong.nc"), ("wrong.vtu", b"<", "wrong.vtu"),
-                                       ("what.xyzzy", b"?", "what.xyzzy cannot be read")):
+                                       ("what.xyzzy", b"\x01?", "what.xyzzy is neither GRIB nor NetCDF: it begins with"),
+                                       ("README.md", b"# It reads GRIB\n", "README.md is neither GRIB nor NetCDF, but a text file.*The viewer draws NetCDF, .vdb"),
+                                       ("a.grib2", b"GRIB\0\0\0\2" + bytes(99), "a.grib2 is GRIB. The viewer does not read it. Draw it by nephoscope.open"),
+                                       ("data", b"CDF\1" + bytes(99), "data is NetCDF. Give it a name that ends with .nc")):
             with self.subTest(name):
                 if content is not None:
                     (self.folder / name).write_bytes(content)

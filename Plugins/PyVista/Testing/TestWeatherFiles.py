@@ -13,6 +13,7 @@ import zipfile
 from pathlib import Path
 
 import nephoscope
+from nephoscope.weather.foreign import format_of
 import numpy as np
 import pyvista
 from PIL import Image
@@ -60,6 +61,8 @@ FOREIGN = {  # name: content, words of the message
     "field.npy": (saved(np.save, np.ones(3)), "array of numpy"),
     "table.parquet": (b"PAR1" + bytes(8), "Parquet.*read_parquet"),
     "case.foam": (b"", r"mesh.*pyvista.read\(.*add_cells"),
+    "README.md": (b"# About\n\nIt reads GRIB and NetCDF. GRIB\n", "neither GRIB nor NetCDF, but a text file"),
+    "GRIB.txt": (b"GRIB files are good\n", "neither GRIB nor NetCDF, but a text file"),
     "unknown.bin": (bytes(range(1, 30)), "neither GRIB nor NetCDF: it begins with"),
     "damaged.nc": (b"nothing of the kind", "neither GRIB nor NetCDF"),
     "empty": (b"", "the file is empty"),
@@ -76,6 +79,12 @@ class Files(unittest.TestCase):
                 self.folder.joinpath(name).write_bytes(content)
                 with self.assertRaisesRegex(ValueError, rf"(?s){name}.*{words}"):
                     nephoscope.open(self.folder / name)
+
+    def test_headers_of_bulletins(self):
+        for start in (b"GRIB\0\0\0\1", b"GRIB\0\0\0\2", b"\1\r\r\n001\r\r\nHTPA50 ECMF 111200\r\r\nGRIB\0\1\2\1", b"GRIB\xff\xff\xff\x07"):
+            self.assertEqual(format_of(start + bytes(99)), "GRIB")
+        for start in (b"It reads GRIB and more", b"GRIB", b"\x89PNG GRIB\0\0\0\4"):
+            self.assertEqual(format_of(start), "")
 
     def test_meshes(self):
         pyvista.ImageData(dimensions=(2, 2, 2)).save(self.folder / "a.vti")

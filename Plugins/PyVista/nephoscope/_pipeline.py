@@ -130,9 +130,9 @@ def _leaves(data: vtkDataObject) -> Iterator[vtkDataObject]:
 
 
 @contextmanager
-def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: str | None = None) -> Iterator[None]:
+def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: str | None = None, by_class: bool = True) -> Iterator[None]:
     """Collects the reports of `algorithm` inside the block. `names`: its terms for properties, and their names in Python. `told`: part of a warning that the
-    user has had already.
+    user has had already. `by_class`: whether messages begin with the name of the class.
 
     Raises
     ------
@@ -145,6 +145,7 @@ def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: s
         One for each warning reported.
     """
     errors: list[str] = []
+    beginning = f"{algorithm.GetClassName()}: " if by_class else ""
 
     @calldata_type(VTK_STRING)
     def on_error(_caller: object, _event: str, message: str) -> None:
@@ -154,8 +155,7 @@ def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: s
     def on_warning(_caller: object, _event: str, message: str) -> None:
         if told is not None and told in message:
             return
-        warnings.warn(f"{algorithm.GetClassName()}: {_renamed(_text(message), names)}", RuntimeWarning,
-                      stacklevel=level_of_caller())
+        warnings.warn(beginning + _renamed(_text(message), names), RuntimeWarning, stacklevel=level_of_caller())
 
     subjects = (algorithm, algorithm.GetExecutive())
     tags = [(subject, subject.AddObserver(event, observer)) for subject in subjects
@@ -167,4 +167,4 @@ def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: s
             subject.RemoveObserver(tag)
     if errors:
         causes = list(dict.fromkeys(text for text in errors if not _is_echo(text)))
-        raise RuntimeError(f"{algorithm.GetClassName()}: " + ("\n".join(causes) or "the request failed without a reason."))
+        raise RuntimeError(beginning + ("\n".join(causes) or "the request failed without a reason."))

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import inspect
-import re
 import warnings
 from typing import Any, Callable, Literal, Mapping
 
@@ -12,9 +11,9 @@ import numpy as np
 import pyvista
 from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPointSet
 
-from . import vtkSunlight
+from . import vtkSunlight, vtkSunSource
 from ._blocks import cell_dimension
-from ._checks import choose, require_number
+from ._checks import arrays_of, choose, require_number
 from ._from_xarray import meshed
 from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh, Numbers
@@ -96,9 +95,9 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
     TypeError
         If `mesh` is not a dataset.
     ValueError
-        If a number is out of range.
+        If a number is out of range, `direction` has no length, or `time` is not a valid time.
     RuntimeError
-        If there is no extinction, or `time` is not a valid time.
+        If there is no extinction.
 
     Warns
     -----
@@ -142,7 +141,8 @@ def is_on_globe(mesh: pyvista.DataSet) -> bool:
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, extinction: str,
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
              zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
-    """`sunlight`; messages call its arguments `say(name)`."""
+    """`sunlight`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
+    _require_sun(direction, time, say)
     mesh = meshed(mesh)
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
@@ -153,8 +153,8 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
         set_input(light, clouds, 1)
         direction = clouds.field_data["SunDirection"][0] if direction is None and not time and "SunDirection" in clouds.field_data else direction
     if direction is not None:
-        light.SetSunDirection(*_three(direction, say("direction")))
-    light.SetDateTime(time)
+        light.SetSunDirection(*direction)
+    light.SetDateTime(str(time))
     if time and place is None and "GlobeGridProjection" not in mesh.field_data:
         warnings.warn(f"{say('time')} is a date and time without a place: the sun is that of longitude 0 and latitude 0. Give {say('place')}, the longitude and latitude; "
                       "x points east and y north.", RuntimeWarning, stacklevel=3)
@@ -177,7 +177,7 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
         light.SetUseViewPosition(True)
         light.SetViewPosition(*_three(eye, say("eye")))
     light.SetParallelView(bool(parallel))
-    with vtk_messages(light, _names(say)):
+    with vtk_messages(light, _names(say), by_class=say is str):
         light.Update()
     return pyvista.wrap(light.GetOutput())
 
@@ -185,6 +185,26 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
 def _require_light(clouds: Any, argument: str) -> None:
     if not isinstance(clouds, pyvista.DataSet) or "SunTransmittance" not in clouds.point_data:
         raise ValueError(f"{argument} is a {type(clouds).__name__} without the array 'SunTransmittance'; it must be a result of sunlight().")
+
+
+def _require_sun(direction: Numbers | None, time: str, say: Callable[[str], str]) -> None:
+    """Raises ValueError if these are no direction and no date and time."""
+    if direction is not None and not any(_three(direction, say("direction"))):
+        raise ValueError(f"{say('direction')} is {direction!r}; it must be the direction towards the sun, such as (1, 0, 1), longer than 0.")
+    if time and not _is_date(time):
+        other = ", or the direction towards the sun, such as (1, 0, 1)" if say("time") == say("direction") else ""
+        raise ValueError(f"{say('time')} is {time!r}; it must be a date and time in UTC, such as '2011-10-11 18:30'{other}.")
+
+
+def _is_date(time: Any) -> bool:
+    sun = vtkSunSource()
+    sun.SetDateTime(str(time))
+    try:
+        with vtk_messages(sun):
+            sun.Update()
+    except RuntimeError:
+        return False
+    return True
 
 
 def _three(values: Numbers, argument: str) -> list[float]:
@@ -221,14 +241,36 @@ def lit(mesh: pyvista.DataSet, sun: Any, needs_cells: bool = True, resolve: Call
     of_water, of_light = ({name: given.pop(name, value) for name, value in defaults.items()} for defaults in (_defaults(cloud_optics), {**_defaults(sunlight), **defaults}))
     if given:
         raise ValueError(f"sun has no option {next(iter(given))!r}; it has {', '.join(repr(name) for name in [*of_light, *of_water])}.")
-    if of_light["time"] and not re.match(r"\s*\d{1,4}-\d", str(of_light["time"])):
-        raise RuntimeError(f"date and time: {'sun' if isinstance(sun, str) else _option('time')} is {of_light['time']!r}; it must be a date and time in UTC, such as '2011-10-11 18:30'.")
+    say = _option if isinstance(sun, Mapping) else lambda name: "sun" if name in ("direction", "time") else _option(name)
+    _require_sun(of_light["direction"], of_light["time"], say)
     own = sun if isinstance(sun, Mapping) else ()
     if any(name in own for name in of_water) or of_light["extinction"] == "Extinction" and not _has(mesh, "Extinction") and not is_smoke(mesh):
-        mesh = optics_of(mesh, _option, **of_water)
+        mesh = _with_optics(mesh, of_water, of_light["direction"], of_light["time"])
     if resolve is not None:
         mesh = resolve(mesh, [of_light[name] for name in ("extinction", "albedo", "asymmetry") if isinstance(of_light[name], str)])
-    return light_of(mesh, _option if isinstance(sun, Mapping) else lambda name: "sun" if name in ("direction", "time") else _option(name), **of_light)
+    return light_of(mesh, say, **of_light)
+
+
+def _with_optics(mesh: pyvista.DataSet, of_water: dict[str, Any], direction: Numbers | None, time: str) -> pyvista.DataSet:
+    """The mesh with the extinction of its water. Without water the message says how another array is named."""
+    try:
+        return optics_of(mesh, _option, **of_water)
+    except RuntimeError as problem:
+        if "There is no array of cloud water" not in str(problem):
+            raise
+        raise RuntimeError(f"sun needs an extinction, and the mesh has neither an array 'Extinction' nor cloud water. {_other_extinction(mesh, direction, time)} "
+                           "Or name the cloud water by sun['water'], or by sun['liquid'] and sun['ice'], with sun['temperature'] and sun['pressure']. "
+                           f"{arrays_of(mesh)}") from None
+
+
+def _other_extinction(mesh: pyvista.DataSet, direction: Numbers | None, time: str) -> str:
+    """How the first array of numbers, or the active one, is taken for the extinction."""
+    numbers = [name for data in (mesh.point_data, mesh.cell_data) for name in data.keys() if data[name].ndim == 1 and np.issubdtype(data[name].dtype, np.number)]
+    if not numbers:
+        return "Give it one: mesh['Extinction'] = ..., per unit of length of the mesh."
+    sun = {"direction": tuple(np.asarray(direction).tolist())} if direction is not None else {"time": time} if time else {}
+    sun["extinction"] = mesh.active_scalars_name if mesh.active_scalars_name in numbers else numbers[0]
+    return f"Name the array that is the extinction coefficient, per unit of length of the mesh: sun={sun}; sun['extinction_scale'] multiplies it."
 
 
 def is_smoke(mesh: pyvista.DataSet) -> bool:

@@ -90,7 +90,7 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
 
 
 def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], **options: Any) -> pyvista.DataSet:
-    """`cloud_optics`; messages call its arguments `say(name)`."""
+    """`cloud_optics`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
     mesh = meshed(mesh)
     if not isinstance(mesh, vtkDataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
@@ -148,6 +148,6 @@ def _filtered(mesh: pyvista.DataSet, say: Callable[[str], str], water: str, liqu
         optics.SetIceRadius(require_number(ice_radius, say("ice_radius"), least=1, most=1e4))
     optics.SetDropletsOverLand(require_number(droplets_over_land, say("droplets_over_land"), least=1, most=1e5))
     optics.SetDropletsOverSea(require_number(droplets_over_sea, say("droplets_over_sea"), least=1, most=1e5))
-    with vtk_messages(optics, _names(say)):
+    with vtk_messages(optics, _names(say), by_class=say is str):
         optics.Update()
     return pyvista.wrap(optics.GetOutput())

@@ -18,6 +18,7 @@ from ._checks import listed
 from ._fields import choose_active_scalars
 from ._pipeline import vtk_messages
 from ._typing import Mesh, Numbers
+from .weather.foreign import first_bytes, format_of, refusal
 
 
 _REMEDY = ("VTK's reader accepts three dimensions, preceded by time if time has a coordinate with units. If time is not the first dimension: "
@@ -58,9 +59,9 @@ def read_cf(path: str | Path, *, dimensions: str | Sequence[str] | None = None, 
     Raises
     ------
     FileNotFoundError
-        If the file does not exist. RuntimeError If the file is not NetCDF.
+        If the file does not exist.
     ValueError
-        If the dimensions, a variable or the time step are not in the file; the message lists what the file has. If the unlimited dimension of a
+        If the file is not NetCDF; the message says what it is. If the dimensions, a variable or the time step are not in the file; the message lists what the file has. If the unlimited dimension of a
         NetCDF classic file has length 0.
 
     Warns
@@ -145,15 +146,30 @@ def _date(text: str) -> datetime:
 def _opened(path: str | Path) -> tuple[vtkNetCDFCFReader, Path]:
     path = Path(path)
     if not path.is_file():
-        raise FileNotFoundError(f"No such file: {path}")
+        raise FileNotFoundError(f"No such file: {path}" + ", which is a folder" * path.is_dir())
     _require_records(path)
     reader = vtkNetCDFCFReader()
     reader.SetFileName(str(path))
     reader.SphericalCoordinatesOff()
     reader.ReplaceFillValueWithNanOn()
-    with vtk_messages(reader, _WORDS):
-        reader.UpdateInformation()
+    try:
+        with vtk_messages(reader, _WORDS):
+            reader.UpdateInformation()
+    except RuntimeError as problem:
+        if "netCDF Error" not in str(problem):
+            raise
+        raise ValueError(_unreadable(path, problem)) from problem
     return reader, path
+
+
+def _unreadable(path: Path, problem: RuntimeError) -> str:
+    start = first_bytes(path)
+    found = format_of(start)
+    if found == "GRIB":
+        return f"{path} is GRIB. Open it by nephoscope.open({str(path)!r})."
+    if found == "NetCDF":
+        return f"{path} cannot be read, probably because it is incomplete or damaged ({problem}). Fetch it again."
+    return refusal(path, start, "`read_cf` reads NetCDF.")
 
 
 def _require_records(path: Path) -> None:

@@ -16,6 +16,7 @@ import pyvista
 from ._blocks import cell_dimension
 from ._fields import is_helper, presets
 from ._medium import wrapped
+from ._mesh_files import ENDINGS
 from .cells import add_cells
 from .cloud_texture import add_cloud_texture
 from .clouds import cloud_surface
@@ -27,8 +28,11 @@ from .sparse import read_vdb
 from .splats import add_splats
 from .terrain import add_terrain, terrain_surface
 from .viewer_state import Choices, View
+from .weather.foreign import first_bytes, format_of, refusal
 
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
+READS = "The viewer draws NetCDF, .vdb, and the files of meshes that pyvista.read reads, such as .vtu and .vti."
+OF_WEATHER = "The viewer does not read it. Draw it by nephoscope.open(path).nephoscope.plot(), or convert it to NetCDF first: cdo -f nc copy IN OUT.nc."
 EARTH = "#33506b"  # of the sphere, if there is no terrain
 KEPT = 3           # number of grids kept for the last times and exaggerations
 BAR = {"width": 0.25, "height": 0.08, "position_x": 0.72, "position_y": 0.02, "n_labels": 3, "fmt": "%g", "title_font_size": 16, "label_font_size": 14}
@@ -68,7 +72,7 @@ class Scene:
             with _silence():
                 mesh = _reader(self.path)(time)
         except Exception as error:  # readers raise errors of any type
-            raise ValueError(f"{self.path} cannot be read: {one_sentence(error)}") from error
+            raise ValueError(_unreadable(self.path, error)) from error
         mesh = wrapped(mesh, merge_points=False)
         if not isinstance(mesh, pyvista.DataSet) or mesh.n_points == 0:
             raise ValueError(f"{self.path} cannot be read, or has no points to draw.")
@@ -150,6 +154,16 @@ def _reader(path: Path) -> Callable[[int], Any]:
     if path.suffix.lower() == ".vdb":
         return lambda time: read_vdb(path)
     return lambda time: pyvista.read(path)
+
+
+def _unreadable(path: Path, error: Exception) -> str:
+    """What a file is that is not drawn, by its first bytes, or what its reader says of it."""
+    start = first_bytes(path)
+    if format_of(start) and not _is_netcdf(path):
+        return f"{path} is {format_of(start)}. {OF_WEATHER}" if format_of(start) == "GRIB" else f"{path} is NetCDF. Give it a name that ends with .nc."
+    if path.suffix.lower() in (*ENDINGS, *NETCDF, ".vdb"):
+        return f"{path} cannot be read: {one_sentence(error)}"
+    return refusal(path, start, READS)
 
 
 def _is_netcdf(path: Path) -> bool:

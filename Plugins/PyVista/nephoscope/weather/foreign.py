@@ -3,6 +3,7 @@
 """Files that `open` does not read: what they are, and how to get a dataset from them."""
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from zipfile import BadZipFile, ZipFile
 
@@ -23,8 +24,30 @@ STARTS = (  # first bytes: what they tell, and the remedy
     ((b"PAR1",), "a Parquet table", TABLE.format(read="read_parquet")),
 )
 PP = (b"\x00\x00\x01\x00", b"\x00\x01\x00\x00")  # the length of a header, before and behind it
-DAMAGED = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb1", ".nc", ".nc4", ".cdf", ".h5", ".he5", ".hdf5")  # if such a file holds text
+GRIB_NAMES = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb1")
+DAMAGED = (*GRIB_NAMES, ".nc", ".nc4", ".cdf", ".h5", ".he5", ".hdf5")  # if such a file holds text
 PAGE = (b"<!doctype html", b"<html", b"<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<error")
+
+
+def format_of(start: bytes) -> str:
+    """``"NetCDF"``, ``"GRIB"`` or ``""``, from the first bytes of a file. Bulletins have headers before GRIB, in which the edition follows three bytes later."""
+    if start[:3] == b"CDF" or start[:8] == b"\x89HDF\r\n\x1a\n":
+        return "NetCDF"
+    damaged = start.startswith(b"GRIB") and not _is_text(start)
+    return "GRIB" if damaged or re.search(rb"GRIB.{3}[\x01\x02]", start, re.DOTALL) else ""
+
+
+def refusal(path: Path, start: bytes, reads: str) -> str:
+    """What a file is that is neither GRIB nor NetCDF, and a remedy. `reads`: a sentence about what is read."""
+    if told := described(path, start):
+        return f"{told} {reads}"
+    return (f"{path} is neither GRIB nor NetCDF: it begins with {start[:8]!r}" + ("; the file is empty." if not start else ".")
+            + (" By its name it should be GRIB: it is damaged or incomplete." if path.suffix.lower() in GRIB_NAMES else ""))
+
+
+def first_bytes(path: Path) -> bytes:
+    with path.open("rb") as file:
+        return file.read(65536)  # bulletins have headers
 
 
 def described(path: Path, start: bytes) -> str:
@@ -60,7 +83,7 @@ def _of_text(start: bytes, ending: str) -> str:
         return "is the text form of NetCDF (CDL). Make the file: ncgen -o file.nc file.cdl."
     if text.startswith("{"):
         return "is JSON. If it has the references of kerchunk, open it by xarray.open_dataset(path, engine='kerchunk') (pip install kerchunk), and pass the dataset."
-    return f"is a text file, perhaps a table. {TABLE.format(read='read_csv')}"
+    return f"is neither GRIB nor NetCDF, but a text file, perhaps a table. {TABLE.format(read='read_csv')}"
 
 
 def inside(path: Path) -> str:

@@ -11,9 +11,7 @@ from typing import Any, Sequence
 from .._typing import WeatherDataset
 from .accessor import register
 from .extras import need
-from .foreign import described, inside
-
-GRIB_NAMES = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb1")
+from .foreign import first_bytes, format_of, inside, refusal
 
 
 def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = None, **options: Any) -> WeatherDataset:  # noqa: A001
@@ -115,16 +113,10 @@ def _kind(path: Path) -> str:
         if told := inside(path):
             raise ValueError(told)
         return "Zarr"
-    with path.open("rb") as file:
-        start = file.read(65536)  # bulletins have headers
-    if start[:3] == b"CDF" or start[:8] == b"\x89HDF\r\n\x1a\n":
-        return "NetCDF"
-    if b"GRIB" in start:
-        return "GRIB"
-    if told := described(path, start):
-        raise ValueError(f"{told} `open` reads GRIB, NetCDF and Zarr, and takes xarray.Dataset.")
-    raise ValueError(f"{path} is neither GRIB nor NetCDF: it begins with {start[:8]!r}" + ("; the file is empty." if not start else ".")
-                     + (" By its name it should be GRIB: it is damaged or incomplete." if path.suffix.lower() in GRIB_NAMES else ""))
+    start = first_bytes(path)
+    if found := format_of(start):
+        return found
+    raise ValueError(refusal(path, start, "`open` reads GRIB, NetCDF and Zarr, and takes xarray.Dataset."))
 
 
 def _is_zarr_array(path: Path) -> bool:
