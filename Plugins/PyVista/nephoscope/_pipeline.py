@@ -8,7 +8,7 @@ import re
 import sys
 import warnings
 from contextlib import contextmanager
-from typing import Any, Iterator, Mapping
+from typing import Any, Iterator, Mapping, Sequence
 
 import pyvista
 from vtkmodules.util.misc import calldata_type
@@ -130,9 +130,9 @@ def _leaves(data: vtkDataObject) -> Iterator[vtkDataObject]:
 
 
 @contextmanager
-def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: str | None = None, by_class: bool = True) -> Iterator[None]:
-    """Collects the reports of `algorithm` inside the block. `names`: its terms for properties, and their names in Python. `told`: part of a warning that the
-    user has had already. `by_class`: whether messages begin with the name of the class.
+def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: Sequence[str] = (), by_class: bool = True) -> Iterator[None]:
+    """Collects the reports of `algorithm` inside the block. `names`: its terms for properties, and their names in Python. `told`: parts of warnings that the
+    user does not need. `by_class`: whether messages begin with the name of the class.
 
     Raises
     ------
@@ -153,7 +153,7 @@ def vtk_messages(algorithm: vtkAlgorithm, names: Mapping[str, str] = {}, told: s
 
     @calldata_type(VTK_STRING)
     def on_warning(_caller: object, _event: str, message: str) -> None:
-        if told is not None and told in message:
+        if any(text in message for text in told):
             return
         warnings.warn(beginning + _renamed(_text(message), names), RuntimeWarning, stacklevel=level_of_caller())
 

@@ -34,6 +34,8 @@ _NAMES = {"Set HeightUnits if 'geometric_height' is a geopotential (m2 s-2) or i
           "or set its name empty to say so": "or leave it out of wind",
           "with the NetCDF CF reader switch 'Spherical Coordinates' off": "read the file by nephoscope.read_cf"}
 GAPS_ARE_TOLD = "nephoscope_gaps_are_told"  # field array of a mesh whose reader has warned of points without a height
+IS_SEA = "nephoscope_is_sea"  # field array of a mesh whose heights are known to be below the sea
+_TOLD = {GAPS_ARE_TOLD: "values of the height array", IS_SEA: "which is implausible on Earth"}  # parts of warnings that such meshes do not need
 DEGREES_PER_CELL = 1.0    # of globe_surface; its chords are at most 0.25 km below the Earth's sphere
 
 
@@ -152,10 +154,11 @@ def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "gl
         globe.SetCentralMeridian(require_number(central_meridian, "central_meridian"))
     if surface is not None:
         globe.SetSurfaceData(_structured(surface, "surface"))
-    with vtk_messages(globe, _NAMES, "values of the height array" if GAPS_ARE_TOLD in mesh.field_data else None):
+    with vtk_messages(globe, _NAMES, [text for mark, text in _TOLD.items() if mark in mesh.field_data]):
         globe.Update()
     output = pyvista.wrap(globe.GetOutput())
-    output.field_data.pop(GAPS_ARE_TOLD, None)
+    for mark in _TOLD:
+        output.field_data.pop(mark, None)
     return output
 
 

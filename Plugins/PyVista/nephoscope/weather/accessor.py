@@ -249,14 +249,15 @@ class WeatherAccessor:
             File for the picture. Default: a window.
         vertical_exaggeration : float, optional
             Multiplies heights. Default: 30, but less for data that would be higher than 0.4 of their width or of the radius of the planet, such as those of small regions and
-            of the thermosphere. For a flat grid 1, but more for one that is lower than a tenth of its width (a fifth in a section); the picture tells it.
+            of the thermosphere, and more for water below the sea level, so that its sides are seen. For a flat grid 1, but more for one that is lower than a tenth of its width (a fifth in a section); the picture tells it.
         opacity, cmap, clim : optional
-            As in `nephoscope.add_cells`.
+            As in `nephoscope.add_cells`. Water below the sea level is opaque by default, unless the field is zero almost everywhere.
         window_size : sequence of 2 int, default: (800, 800)
             Width and height of the picture in pixels.
         view : sequence of 2 float, str or sequence, optional
             What the camera looks at. On a globe the longitude and latitude (degrees) that are seen from straight above, ``view=(100, 30)``. Everywhere a camera position of PyVista:
-            ``"xy"``, or position, focal point and upward direction. Default: the middle of the data; of data all round the globe the side on which the field has most, if there is one. Maps are seen from above.
+            ``"xy"``, or position, focal point and upward direction. Default: the middle of the data; of data all round the globe the side on which the field has most, if there is one. Regions of an ocean are seen
+            from the south, obliquely. Maps are seen from above.
         background : ColorLike, optional
             Colour behind the picture; text is black or white, whichever can be read. Default: that of PyVista's global theme, if it is not white, otherwise black.
         **options

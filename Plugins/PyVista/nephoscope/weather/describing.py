@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import warnings
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from .air import Air
 from .horizontal import GridError
 from .reading import Reading
 from .roles import ROLES
+from .sea import may_have_zeros
 from .times import listed_times
 from .units import UnitsError
 from .winds import winds
@@ -18,9 +20,19 @@ from .winds import winds
 
 def described(reading: Reading, air: Air, dataset) -> str:
     lines = [_grid(reading), *_cells(reading), *_levels(reading, air), _times(reading, dataset), *_roles(reading)]
+    _look_for_zeros(reading)
     with contextlib.suppress(UnitsError):  # said by the line of the heights
         winds(reading, air)
     return "\n".join(lines + [f"note: {note}" for note in [*reading.horizontal.notes, *(reading.vertical.notes if reading.vertical else []), *reading.notes]])
+
+
+def _look_for_zeros(reading: Reading) -> None:
+    """Notes the zeros of land in temperature, salinity and currents of the sea."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # a note says the same
+        for name in reading.plain_variables():
+            if may_have_zeros(name, reading.dataset[name]):
+                reading.values(name)
 
 
 def _grid(reading: Reading) -> str:

@@ -10,10 +10,12 @@ import numpy as np
 import pyvista
 
 from ..globe import EARTH_RADIUS
+from .sea import is_sea
 
 USUAL = 30.0  # on a globe or a map; data whose x and y are lengths have 1
 ROUND = (1.0, 2.0, 3.0, 5.0, 10.0, 15.0, 20.0, 30.0, 50.0, 100.0, 200.0, 500.0, 1000.0)
 HIGHEST = 0.4  # of the width of the data, or of the radius of the planet: their height on a globe or a map
+DEEP, DEEPEST = 0.25, 0.1  # of the width, and of the radius at most: the depth of water, whose sides are to be seen
 FLATTEST, RAISED = 0.1, 0.25  # of the width: flat data that are lower than the first are drawn with the second height at most
 FLATTEST_SECTION, RAISED_SECTION = 0.2, 0.5
 
@@ -39,12 +41,18 @@ def suitable(grid: pyvista.DataSet, made: float) -> float:
         return _of_flat(grid, np.ptp(points, axis=0), made)
     width, height = _measured(grid, points)
     height /= made
+    if height > 0 and width > 0 and is_sea(grid):
+        return _rounded(min(DEEP * width, DEEPEST * _radius(grid)) / height)
     return made if height <= 0 or width <= 0 or made * height <= HIGHEST * width else _rounded(HIGHEST * width / height)
+
+
+def _radius(grid: pyvista.DataSet) -> float:
+    return float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
 
 
 def _measured(grid: pyvista.DataSet, points: np.ndarray) -> tuple[float, float]:
     """Width, at most the radius of the planet, and height above the sea or below it."""
-    radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+    radius = _radius(grid)
     if str(np.ravel(grid.field_data["GlobeGridProjection"])[0]).lower() in ("1", "1.0", "map"):
         return min(radius, float(np.ptp(points[:, :2], axis=0).max())), float(np.abs(points[:, 2]).max())
     radii = np.linalg.norm(points, axis=1)

@@ -6,11 +6,12 @@ from __future__ import annotations
 import re
 from typing import Any
 
+import numpy as np
 import pyvista
 
 from .._fields import PRESET_ENDING, find_preset, is_bright, preset_of_field, presets
-from .._outliers import warn_of_fill_values
-from .._over_time import values_over_time
+from .._outliers import is_mostly_zero, warn_of_fill_values
+from .._over_time import follows, values_over_time
 from .roles import ROLES, candidates
 from .units import knows, plain
 
@@ -24,7 +25,7 @@ _OF_WORDS = ((r"vorticity|divergence|anomaly|tendency|increment", "wind componen
              (r"wind|velocity|flux", "wind component"), (r"cloud.*(fraction|cover)|(fraction|cover).*cloud", "clouds"), (r"humidity|water[ _]vapou?r|dew[ _]point", "humidity"),
              (r"rain|snow|precipitation|reflectivity|graupel|hail", "rain"), (r"cloud|condensate|liquid[ _]water|ice[ _]water", "cloud water"), (r"smoke|dust|aerosol|soot|ash\b", "smoke"))
 _OF_QUANTITIES = {"equivalent_potential_temperature": "temperature", "water_vapour": "humidity", "cloud_content": "cloud water"}
-_NEVER = re.compile(r"time|altitude|height|thickness|pressure|geopotential|cell[ _]area|mask")  # whatever else the name says
+_NEVER = re.compile(r"time|altitude|height|(?<!optical[ _])thickness|pressure|geopotential|cell[ _]area|mask")  # whatever else the name says
 
 
 def note_look(mesh: pyvista.DataSet, dataset, name: str) -> None:
@@ -60,11 +61,16 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
     preset = find_preset(options.pop("preset", None), name, grid) if not options.get("log_scale") else None
     if isinstance(options.get("cmap"), str) and options["cmap"] in presets():
         preset = presets()[options.pop("cmap")]
+    values = values_over_time(grid, name, association)
+    over_time = (float(values.min()), float(values.max())) if follows(grid) and values.size and np.ptp(values) > 0 else None
     if preset is None or "cmap" in options:
-        return options
-    clim = options.get("clim") or preset.clim(values_over_time(grid, name, association))
+        sheer = preset is None and options.get("clim") is None and not options.get("log_scale") and is_mostly_zero(values)
+        return {**({"opacity": "linear"} if sheer else {}), **({} if over_time is None or options.get("log_scale") else {"clim": over_time}), **options}
+    clim = options.get("clim") or preset.clim(values) or over_time
     colours = preset.colour_map(is_bright(plotter.background_color))
     if preset.name in SHEER:
         options = {"opacity": "linear", **options}
+        if preset.name == "smoke" and over_ground:  # its browns are those of deserts
+            return {**({} if clim is None else {"clim": clim}), **options}
         colours = len(colours) * ["white"] if preset.name in WHITE and over_ground else colours
     return {"cmap": colours, **({} if clim is None else {"clim": clim}), **options}

@@ -16,6 +16,7 @@ from .bars import finish_bars, make_room
 from .horizontal import GridError, section
 from .look import surface_look
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
+from .sea import is_sea, look_of_water
 from .view import PicturePlotter, is_place, look_down, picture_theme, set_view
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
@@ -64,7 +65,8 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     """The field, the Earth below it, the scalar bar and the view."""
     on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
     flat = cell_dimension(grid) < 3
-    (_add_globe if on_globe else _add_map)(plotter, grid, flat)
+    sea = not flat and is_sea(grid)
+    (_add_globe if on_globe else _add_map)(plotter, grid, flat, sea)
     options = {"scalar_bar_args": BESIDE if on_globe else BELOW, **options}
     if flat:  # one level
         refuse_volume(options)
@@ -72,10 +74,11 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
         plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options)})
     else:
+        options = look_of_water(grid, default_scalars(grid)[1] if scalars is None else scalars, options, VOLUME) if sea else options
         add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
     finish_bars(plotter, title)
     if on_globe and (view is None or is_place(view)):
-        look_down(plotter, grid, _finite(grid), None if "sun" in options else default_scalars(grid)[1] if scalars is None else scalars, view)
+        look_down(plotter, grid, _finite(grid), None if "sun" in options else default_scalars(grid)[1] if scalars is None else scalars, view, sea)
     elif view is None:
         _look_at_map(plotter, grid)
     else:
@@ -99,28 +102,28 @@ def refuse_sections(grid: pyvista.DataSet) -> None:
             raise GridError(section(kind, "lon" if kind == "longitude" else "lat"))
 
 
-def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> None:
+def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: bool) -> None:
     radii = np.linalg.norm(_finite(grid), axis=1)
-    lowest = radii.min(initial=EARTH_RADIUS) if radii.max(initial=0) <= 1.000001 * EARTH_RADIUS else EARTH_RADIUS  # below an ocean
+    lowest = radii.min(initial=EARTH_RADIUS) if sea else EARTH_RADIUS
     coarse = None if flat or not isinstance(grid, pyvista.StructuredGrid) else grid
     ground = globe_surface(radius=_below(grid) if flat else lowest, below=coarse)
     ground.field_data["PlanetRadius"] = grid.field_data.get("PlanetRadius", [EARTH_RADIUS])  # although it is lower
     add_ground(plotter, ground)
-    if flat and radii.size:
+    if (flat or sea) and radii.size:
         add_coasts(plotter, globe_coasts(1.001 * radii.max()))
 
 
-def _add_map(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool) -> None:
+def _add_map(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: bool) -> None:
     points = _finite(grid)
     if not points.size:
         return
     (west, south, bottom), (east, north, top) = points.min(axis=0), points.max(axis=0)
     step = 0.001 * max(east - west, north - south)
-    ground = bottom - step if flat or top <= 0 else 0.0
+    ground = bottom - step if flat or sea else 0.0
     radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
     edges = tuple(np.degrees(np.array([west, east, south, north]) / radius))
     add_ground(plotter, map_ground(edges, radius, ground))
-    if flat:
+    if flat or sea:
         add_coasts(plotter, map_coasts(edges, radius, top + step))
 
 

@@ -12,11 +12,12 @@ import pyvista
 from .._checks import listed
 from .._fields import choose_active_scalars
 from .._pipeline import level_of_caller
-from ..globe import GAPS_ARE_TOLD, to_globe
+from ..globe import GAPS_ARE_TOLD, IS_SEA, to_globe
 from .air import Air
 from .horizontal import GridError
 from .look import note_look
 from .reading import Reading
+from .sea import DEEPEST, is_below
 from .units import UnitsError, simple
 from .winds import winds
 
@@ -44,6 +45,8 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
         note_look(mesh, reading.dataset, name)
     names = _add_winds(mesh, reading, air, order)
     height = HEIGHT
+    if IS_SEA in mesh.field_data:
+        options = {"mask_below_ground": False, **options}
     if reading.vertical and reading.vertical.kind in ("depth", "ocean sigma"):
         options, height = {"mask_below_ground": False, **options}, HEIGHT if reading.horizontal.missing is not None or reading.vertical.kind == "ocean sigma" else False
     ground = ground_mesh(reading, air)
@@ -158,6 +161,8 @@ def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:
         levels = np.array([reading.level_pressure])
     mesh = _mesh(reading, levels)
     add(mesh, HEIGHT, heights, order)
+    if is_below(np.nanmin(heights, initial=0.0), np.nanmax(heights, initial=-DEEPEST)) and np.nanmin(heights) >= -DEEPEST:
+        mesh.field_data[IS_SEA] = [1]
     return mesh, order
 
 

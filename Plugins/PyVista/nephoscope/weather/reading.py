@@ -14,6 +14,7 @@ from .horizontal import GridError, find_horizontal, is_latitude, is_longitude
 from .helpers import helpers
 from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
+from .sea import zeros_of_land
 from .stagger import to_centres
 from .times import choose_time, is_member, time_dims
 from .units import UnitsError, converted, in_fractions, knows, plain, without_fill_values
@@ -223,7 +224,21 @@ class Reading:
             undeclared = np.isin(found, UNDECLARED)
             self.note(f"{name!r}: {undeclared.sum()} values of {found[undeclared][0]:g} are taken as missing" if undeclared.any() else "")
             gone |= undeclared
-        return np.where(gone, np.nan, found)
+        return np.where(gone | self._zeros_of_land(name, found), np.nan, found)
+
+    def _zeros_of_land(self, name: str, found: np.ndarray) -> np.ndarray | bool:
+        on_levels = self.vertical is not None and self.vertical.dim in self.dataset[name].dims
+        zeros = zeros_of_land(name, self.dataset[name], found, on_levels, top_first=on_levels and self._top_first())
+        if zeros is None:
+            return False
+        self.warn(f"{name!r}: {zeros.sum()} values of exactly 0, {100 * zeros.mean():.0f} % of all, are taken as land and sea floor, and are missing. If they are values, "
+                  f"declare a fill value that does not occur: ds[{name!r}].attrs['_FillValue'] = 1e20.")
+        return zeros
+
+    def _top_first(self) -> bool:
+        """Whether the levels run downwards from the surface."""
+        levels = self.levels()
+        return bool(levels[0] > levels[-1] or self.vertical.kind == "levels")
 
     def _placed(self, found: np.ndarray, order: list[str]) -> np.ndarray:
         """Values of the file, arranged in the rows and columns that `horizontal` made from its points."""

@@ -28,7 +28,7 @@ def _role(name, meaning, quantities, standard, grib, names=""):
 # On levels.
 FIELDS = [
     _role("altitude", "height above sea level", "height", "altitude height_above_mean_sea_level geometric_height_at_full_level_center geometric_height_at_half_level_center height_above_reference_ellipsoid mid_layer_heights",
-          "h HHL", "altitude z_mc height_msl z_ifc hhl zgrid z_agl_msl h"),
+          "h HHL", "altitude z_mc height_msl z_ifc hhl zgrid z_agl_msl h z_rho"),
     _role("thickness", "thickness of the layers", "height", "", "", "delz"),
     _role("geopotential_height", "geopotential height", "height,geopotential", "geopotential_height", "gh", "gh zg hgt geopotential_height z3 height"),
     _role("geopotential", "geopotential", "geopotential", "geopotential", "z", "z geopotential phi fi geopot"),

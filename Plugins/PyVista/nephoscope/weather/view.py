@@ -15,6 +15,7 @@ from ..globe import EARTH_RADIUS
 
 AMERICA = np.array([0.3, -1.0, 0.35])  # of fields all round the globe
 WIDE, HIGH = 0.8, 0.92  # of the picture, for a region beside the scalar bar
+ASIDE = (40.0, 20.0)  # degrees of the camera above the horizon, at least, and from the south to the east, for water
 CONCENTRATED = 0.75  # length of the mean direction of a field on one side of the globe; that of one that increases evenly from pole to pole is 2/3
 
 
@@ -98,10 +99,19 @@ def _fitted(across: np.ndarray, towards: np.ndarray, share: float) -> tuple[floa
     return 0.5 * (high - low), 0.5 * (high + low) / share
 
 
-def _look_at_part(plotter: pyvista.BasePlotter, points: np.ndarray, middle: np.ndarray) -> None:
-    """Places the camera above the middle of the data of a region, so that they fill the picture beside the scalar bar."""
+def _from_aside(vertical: np.ndarray, north: np.ndarray, points: np.ndarray) -> np.ndarray:
+    """The direction, from the middle of the points, of a camera in the south and above, a little to the east; higher above a wide region, which is bent."""
+    widest = np.degrees(np.arccos(np.clip(points @ vertical / np.linalg.norm(points, axis=1), -1, 1).min()))
+    east = np.cross(north, vertical) / np.linalg.norm(np.cross(north, vertical))
+    height, turn = np.radians((ASIDE[0] + 0.5 * widest, ASIDE[1]))
+    return np.sin(height) * vertical + np.cos(height) * (np.sin(turn) * east - np.cos(turn) * np.cross(vertical, east))
+
+
+def _look_at_part(plotter: pyvista.BasePlotter, points: np.ndarray, middle: np.ndarray, aside: bool) -> None:
+    """Places the camera above the middle of the data of a region, or at their side, so that they fill the picture beside the scalar bar."""
     towards = middle / np.linalg.norm(middle)
     north = np.array((0, 0, 1) if abs(towards[2]) < 0.95 else (1, 0, 0), float)
+    towards, north = (_from_aside(towards, north, points), towards) if aside else (towards, north)
     east = np.cross(north, towards) / np.linalg.norm(np.cross(north, towards))
     upward = np.cross(towards, east)
     half = np.tan(np.radians(0.5 * plotter.camera.view_angle))
@@ -114,8 +124,9 @@ def _look_at_part(plotter: pyvista.BasePlotter, points: np.ndarray, middle: np.n
     plotter.reset_camera_clipping_range()
 
 
-def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.ndarray, name: str | None, view: Any) -> None:
-    """Places the camera above a place, by default the middle of the data or of the field, far enough to show all of them, with north up."""
+def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.ndarray, name: str | None, view: Any, aside: bool = False) -> None:
+    """Places the camera above a place, by default the middle of the data or of the field, far enough to show all of them, with north up. `aside`: data of a region are seen
+    from the side instead."""
     points = points[:: max(1, len(points) // 5000)]
     middle = points.mean(axis=0)
     if np.linalg.norm(middle) < 0.2 * EARTH_RADIUS:  # all round the globe
@@ -124,7 +135,7 @@ def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.nd
     part = np.linalg.norm(middle) > 0.6 * EARTH_RADIUS and np.ptp(points, axis=0).max() < 1.2 * EARTH_RADIUS
     centre = middle if part else np.zeros(3)
     if part and view is None:
-        _look_at_part(plotter, points, middle)
+        _look_at_part(plotter, points, middle, aside)
         return
     size = np.linalg.norm(points - centre, axis=1).max()
     upward = middle / np.linalg.norm(middle)

@@ -1,0 +1,191 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""First pictures of oceans, of fields that are zero almost everywhere, and of their films; zeros on land that no fill value declares."""
+import os
+import unittest
+import warnings
+from pathlib import Path
+
+import nephoscope
+import numpy as np
+import pyvista
+import xarray as xr
+from weather_data import frames
+
+OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"], "TestWeatherOcean.png")
+LON, LAT, DEPTHS = np.arange(-40, -19, 2.0), np.arange(20, 41, 2.0), np.array([0.0, 50, 200, 1000, 3000])
+SEA = ("depth", "lat", "lon")
+PLACES = {"lat": ("lat", LAT, {"units": "degrees_north"}), "lon": ("lon", LON, {"units": "degrees_east"})}
+
+
+def ocean(values, name="thetao", standard_name="sea_water_potential_temperature", depths=DEPTHS, units="degC"):
+    values = np.broadcast_to(np.asarray(values, float), (len(depths), len(LAT), len(LON))).copy()
+    return xr.Dataset({name: (SEA, values, {"standard_name": standard_name, "units": units})},
+                      {"depth": ("depth", depths, {"units": "m", "positive": "down", "standard_name": "depth"}), **PLACES})
+
+
+def layers(surface=20.0, deep=4.0):
+    return np.linspace(surface, deep, len(DEPTHS))[:, None, None]
+
+
+def roms(h=1600.0):
+    """Terrain-following levels over a slope, 10 m to `h` deep."""
+    lon, lat = np.meshgrid(np.linspace(-75, -71, 12), np.linspace(36, 39, 11))
+    s, floor = (np.arange(8) + 0.5) / 8 - 1, 10 + (h - 10) * (lon + 75) / 4
+    attrs = {"standard_name": "ocean_s_coordinate_g2", "positive": "up", "formula_terms": "s: s_rho C: Cs_r eta: zeta depth: h depth_c: hc"}
+    places = ("eta_rho", "xi_rho")
+    return xr.Dataset({"temp": (("s_rho", *places), 20 + 10 * np.broadcast_to(s[:, None, None], (8, *lon.shape)), {"units": "Celsius", "long_name": "potential temperature"}),
+                       "zeta": (places, 0.6 + 0 * lon, {"units": "meter"}), "h": (places, floor, {"units": "meter"}), "hc": ((), 20.0), "Cs_r": ("s_rho", -s * s)},
+                      {"s_rho": ("s_rho", s, attrs), "lon_rho": (places, lon, {"units": "degrees_east"}), "lat_rho": (places, lat, {"units": "degrees_north"})})
+
+
+class Ocean(unittest.TestCase):
+    def plotted(self, dataset, *names, **options):
+        plotter = dataset.nephoscope.plot(*names, screenshot=str(OUTPUT), window_size=(200, 200), **options)
+        self.addCleanup(plotter.close)
+        return plotter, pyvista.read(OUTPUT)["PNGImage"].reshape(200, 200, -1)[..., :3].astype(float)
+
+    def shown(self, plotter, picture, point):
+        """The colour of the picture where a point of the scene is."""
+        matrix = pyvista.array_from_vtkmatrix(plotter.camera.GetCompositeProjectionTransformMatrix(1, -1, 1))
+        x, y, _, w = matrix @ [*point, 1]
+        return picture[int(100 + 100 * y / w), int(100 + 100 * x / w)]
+
+    def colour(self, plotter, value):
+        colour = [0.0] * 3
+        plotter.mapper.lookup_table.GetColor(value, colour)
+        return 255 * np.array(colour)
+
+    def test_water_is_opaque_and_seen_from_aside(self):
+        """The surface has the colour of its temperature, and so has the deep water at the southern side."""
+        plotter, picture = self.plotted(ocean(layers()))
+        vertical = frames(-30.0, 30.0)[2]
+        towards = np.array(plotter.camera.position) - plotter.camera.focal_point
+        height = np.degrees(np.arcsin(towards @ vertical / np.linalg.norm(towards)))
+        self.assertTrue(35 < height < 60, height)
+        np.testing.assert_allclose(self.shown(plotter, picture, 6371000 * vertical), self.colour(plotter, 20), atol=4)
+        stretch = float(plotter.mapper.dataset.field_data["VerticalExaggeration"][0])
+        self.assertTrue(0.05 < stretch * 3000 / 2.0e6 < 0.3, stretch)
+        np.testing.assert_allclose(self.shown(plotter, picture, (6371000 - 2000 * stretch) * frames(-30.0, 20.0)[2]), self.colour(plotter, 6), atol=12)
+        given, _ = self.plotted(ocean(layers()), opacity="linear", view=(-30, 30), vertical_exaggeration=30)
+        self.assertEqual(given.mapper.dataset.field_data["VerticalExaggeration"][0], 30)
+        self.assertEqual(given.renderer.actors[next(name for name, one in given.renderer.actors.items() if isinstance(one, pyvista.Volume))].prop.GetScalarOpacity().GetValue(4.0), 0)
+
+    def test_currents_and_salinity(self):
+        for name, standard, value in (("so", "sea_water_salinity", 35.0), ("uo", "eastward_sea_water_velocity", 0.5)):
+            plotter, picture = self.plotted(ocean(value * layers(1.0, 0.2), name, standard), name)
+            np.testing.assert_allclose(self.shown(plotter, picture, 6371000 * frames(-30.0, 30.0)[2]), self.colour(plotter, value), atol=4)
+
+    def test_a_plume_in_the_sea_stays_transparent(self):
+        oil = np.zeros((len(DEPTHS), len(LAT), len(LON)))
+        oil[1:3, 5, 5] = 1.0
+        plotter, _ = self.plotted(ocean(oil, "oil", "mass_concentration_of_oil_in_sea_water", units="kg m-3"))
+        volume = next(one for one in plotter.renderer.actors.values() if isinstance(one, pyvista.Volume))
+        self.assertEqual(volume.prop.GetScalarOpacity().GetValue(0.0), 0)
+
+    def test_air_is_neither_opaque_nor_seen_from_aside(self):
+        air = ocean(layers(), "ta", "air_temperature").assign_coords(depth=("depth", DEPTHS, {"units": "m", "positive": "up", "standard_name": "altitude"}))
+        plotter, _ = self.plotted(air)
+        towards = np.array(plotter.camera.position) - plotter.camera.focal_point
+        self.assertGreater(towards @ frames(-30.0, 30.0)[2], 0.99 * np.linalg.norm(towards))
+        volume = next(one for one in plotter.renderer.actors.values() if isinstance(one, pyvista.Volume))
+        self.assertLess(volume.prop.GetScalarOpacity().GetValue(12.0), 0.5)
+
+    def test_levels_that_follow_the_bottom(self):
+        """Depths are plausible, with tides above the sea level too; those of another unit are not."""
+        own = roms()
+        heights = xr.apply_ufunc(lambda s: s, own.s_rho) * own.h
+        listed = roms().drop_vars(["h", "zeta", "hc", "Cs_r"]).assign_coords(z_rho=(("s_rho", "eta_rho", "xi_rho"), heights.values, {"units": "m"}))
+        del listed.s_rho.attrs["standard_name"], listed.s_rho.attrs["formula_terms"], listed.s_rho.attrs["positive"]
+        for data in (own, listed):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                plotter, picture = self.plotted(data, "temp")
+            surface = np.asarray(plotter.mapper.dataset.points).reshape(8, 11, 12, 3)[-1, 5, 6]
+            self.assertLess(np.abs(self.shown(plotter, picture, surface) - self.colour(plotter, 19.375)).max(), 12)
+        with self.assertWarnsRegex(RuntimeWarning, "implausible"):
+            roms(160000.0).nephoscope.globe()
+
+
+class Zeros(unittest.TestCase):
+    """NEMO's zeros on land and below the bottom."""
+
+    def values(self):
+        values = np.broadcast_to(layers(), (len(DEPTHS), len(LAT), len(LON))) + np.linspace(-5, 3, len(LAT))[:, None]  # from -1: 0 is among them
+        values = values + 1e-3 * np.random.default_rng(0).random(values.shape)
+        land = np.zeros(values.shape, bool)
+        land[:, :4, :3] = True
+        land[3:, 8:] = True
+        return np.where(land, 0.0, values), land
+
+    def test_are_missing_and_told(self):
+        values, land = self.values()
+        for name, standard in (("thetao", "sea_water_potential_temperature"), ("so", "sea_water_salinity"), ("uo", "eastward_sea_water_velocity"), ("votemper", "")):
+            for data in (ocean(values, name, standard), ocean(values, name, standard).isel(depth=slice(None, None, -1))):
+                with self.subTest(name), self.assertWarnsRegex(UserWarning, f"'{name}': {land.sum()} values of exactly 0.*declare a fill value"):
+                    grid = data.nephoscope.globe()
+                np.testing.assert_array_equal(np.isnan(np.asarray(grid[name]).reshape(land.shape)), land[::-1])
+                self.assertIn(f"note: '{name}': {land.sum()} values of exactly 0", data.nephoscope.describe())
+
+    def test_of_one_level(self):
+        values, land = self.values()
+        for name, told in (("tos", land[0]), ("sos", land[0])):
+            data = ocean(values, name, "sea_surface_temperature").isel(depth=0, drop=True)
+            with self.assertWarns(UserWarning):
+                grid = data.nephoscope.globe()
+            np.testing.assert_array_equal(np.isnan(np.asarray(grid[name]).reshape(told.shape)), told)
+
+    def test_that_are_values(self):
+        """Zeros of the air, of tracers, in the middle of a column, on no land, and with a fill value that is declared."""
+        values, land = self.values()
+        floating = values.copy()
+        floating[1, 9, 9] = 0
+        nowhere = np.where(land & (np.arange(len(DEPTHS)) > 2)[:, None, None], 0.0, values + 30)
+        declared = ocean(values)
+        declared.thetao.attrs["_FillValue"] = 1e20
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for data in (ocean(values, "ta", "air_temperature"), ocean(values, "oil", "mass_concentration_of_oil_in_sea_water"), ocean(floating), ocean(nowhere), declared):
+                name = next(iter(data.data_vars))
+                self.assertFalse(np.isnan(data.nephoscope.globe()[name]).any(), name)
+
+
+class Sheer(unittest.TestCase):
+    """Fields of one level that are zero almost everywhere show the ground there."""
+
+    def plotted(self, values, name="field", **attrs):
+        data = xr.Dataset({name: (("lat", "lon"), values, attrs)}, PLACES)
+        plotter = data.nephoscope.plot(name, screenshot=str(OUTPUT), window_size=(100, 100))
+        self.addCleanup(plotter.close)
+        return plotter.mapper.lookup_table
+
+    def test_zero_is_transparent(self):
+        spot = np.exp(-((LON + 30) ** 2 + (LAT[:, None] - 30) ** 2) / 8)
+        for values, name, attrs, opaque in ((spot, "something", {}, False), (spot - 0.5, "something", {}, True), (spot + 1, "something", {}, True), (1 - spot, "something", {}, True),
+                                            (0.3 + spot, "od550aer", {"long_name": "Aerosol Optical Thickness at 550 nm"}, False),
+                                            (0.3 + spot, "x", {"standard_name": "atmosphere_optical_thickness_due_to_cloud"}, False),
+                                            (0.3 + spot, "y", {"long_name": "thickness of the cloud layer"}, True)):
+            with self.subTest(name, attrs=attrs):
+                table = self.plotted(values, name, **attrs)
+                self.assertEqual(table.values[0, 3], 255 if opaque else 0)
+                self.assertEqual(table.values[-1, 3], 255)
+
+    def test_aerosol_has_not_the_colour_of_deserts(self):
+        table = self.plotted(0.3 + np.random.default_rng(0).random((len(LAT), len(LON))), "aod")
+        self.assertGreater(np.ptp(table.values[-1, :3].astype(int)), 100)
+
+    def test_films_have_the_labels_of_all_steps(self):
+        """The first step has values from 0 to 1e-3 of the last."""
+        growth = np.array([1e-3, 1.0])[:, None, None] * (1 + np.random.default_rng(0).random((2, len(LAT), len(LON))))
+        for attrs in ({}, {"standard_name": "air_temperature", "units": "K"}, {"standard_name": "specific_humidity", "units": "kg kg-1"}):
+            data = xr.Dataset({"field": (("time", "lat", "lon"), growth, attrs)}, {"time": np.array(["2020-01-01", "2020-01-02"], "M8[ns]"), **PLACES})
+            plotter = pyvista.Plotter(off_screen=True, window_size=(300, 300))
+            self.addCleanup(plotter.close)
+            series = nephoscope.animate(plotter, data, "field")
+            (bar,) = plotter.scalar_bars.values()
+            self.assertAlmostEqual(bar.GetLookupTable().GetRange()[1], series.range("field")[1], places=5)
+            self.assertLess(len(bar.GetLabelFormat() % growth.max()), 6, bar.GetLabelFormat())
+
+
+if __name__ == "__main__":
+    unittest.main()
