@@ -251,6 +251,15 @@ class Opening(unittest.TestCase):
         told = subprocess.run([sys.executable, "-c", "import sys, nephoscope; print('xarray' in sys.modules, 'eccodes' in sys.modules)"], capture_output=True, text=True)
         self.assertEqual(told.stdout.split(), ["False", "False"], told.stderr)
 
+    def test_eccodes_before_and_after(self):
+        """Its libraries hide symbols of VTK's and of the system: no order ends in a crash, neither at a scalar bar nor when Python ends."""
+        draw = ("import pyvista; mesh = nephoscope.read_cf(nephoscope.sample_data('gfs_2p5deg_2011101100.nc')); plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60)); "
+                "nephoscope.add_splats(plotter, pyvista.Wavelet()); plotter.show(); print('drawn')")
+        for lines in ("import cfgrib, nephoscope", "import nephoscope, cfgrib", "import eccodes, nephoscope, xarray"):
+            with self.subTest(lines):
+                told = subprocess.run([sys.executable, "-c", f"{lines}; {draw}"], capture_output=True, text=True)
+                self.assertEqual((told.returncode, told.stdout.strip()), (0, "drawn"), told.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

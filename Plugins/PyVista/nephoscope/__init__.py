@@ -14,6 +14,8 @@ from importlib.util import find_spec as _find_spec
 from typing import TYPE_CHECKING as _TYPE_CHECKING
 
 from . import _modules
+from ._libraries import own_symbols as _own_symbols
+from ._libraries import warn_of_order as _warn_of_order
 from ._modules import MODULES as _MODULES
 from ._modules import VERSION as __version__
 from ._vtk import require_backend as _require_backend
@@ -82,6 +84,7 @@ PYVISTA_FUNCTIONS = {
 
 def _wrapped_classes():
     if _modules.FROM_PYPI:
+        _warn_of_order()
         _require_wheel(_modules.VTK_VERSION, _modules.VTK_MODULES)
     classes = {}
     for name in _MODULES:
@@ -90,7 +93,8 @@ def _wrapped_classes():
     return classes
 
 
-_CLASSES = _wrapped_classes()
+with _own_symbols():
+    _CLASSES = _wrapped_classes()
 globals().update(_CLASSES)
 
 

@@ -6,6 +6,7 @@ import importlib
 import importlib.util
 import sys
 
+from .._libraries import own_symbols
 from .._modules import FROM_PYPI
 from ..samples import requirements
 
@@ -27,12 +28,8 @@ def need_elsewhere(module: str, purpose: str) -> None:
 
 
 def load_netcdf_of_vtk() -> None:
-    """Loads VTK's NetCDF with the libraries of the system before eccodes, which xarray imports when it opens a file.
-
-    The package eckitlib of eccodes has another version of OpenLDAP and shows its symbols to all libraries that come later. If the system's OpenLDAP, which
-    NetCDF needs, comes later, it frees the variables of the other when the process ends, and crashes.
-    """
-    with contextlib.suppress(ImportError):
+    """Loads VTK's NetCDF with the libraries of the system before eccodes, which xarray imports when it opens a file, or with its own symbols after eccodes: `_libraries` tells why."""
+    with contextlib.suppress(ImportError), own_symbols():
         importlib.import_module("vtkmodules.vtkIONetCDF")
 
 
