@@ -229,6 +229,39 @@ class Plots(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "vectors is True; it must be the name of an array.*Arrays of vectors: 'Wind', 'DisplayVelocity'"):
             nephoscope.add_splats(plotter, grid, "cl", vectors=True)
 
+    def test_a_field_of_one_level_beside_others_with_levels(self):
+        """It is drawn as where it is alone."""
+        both = forecast()
+        level = both.ta.isel(plev=0, drop=True) + np.arange(len(LON)) * xr.ones_like(both.ta.isel(plev=0, drop=True))
+        both = both.assign(tas=level.assign_attrs(units="K"))
+        _, beside = self.plotted(both, "tas")
+        _, alone = self.plotted(both[["tas"]], "tas")
+        self.assertGreater(beside.std(), 10)
+        np.testing.assert_array_equal(beside, alone)
+        _, with_levels = self.plotted(both, "ta")
+        self.assertGreater(abs(with_levels - beside).max(), 50)
+
+    def test_warnings_name_the_line_of_the_user(self):
+        times = xr.concat([forecast(), forecast()], "time").assign_coords(time=np.array(["2020-01-01", "2020-01-02"], "M8[ns]"))
+        for dataset in (times, times.isel(plev=0)):
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                self.plotted(dataset, "ta")
+            (told,) = [one for one in told if "the first was taken" in str(one.message)]
+            self.assertEqual(Path(told.filename).name, Path(__file__).name)
+
+    def test_a_description_of_what_is_not_recognized(self):
+        for renamed, words in (({"lat": "y", "lon": "x"}, "length along x"), ({"plev": "k"}, "k")):
+            dataset = forecast().rename(renamed)
+            for name in renamed.values():
+                dataset[name].attrs.clear()
+            dataset = dataset.drop_vars("k") if "k" in dataset.coords else dataset
+            with self.subTest(renamed):
+                text = dataset.nephoscope.describe()
+                self.assertRegex(text.splitlines()[0], f"not recognized: .*{words}")
+                self.assertIn("variable 'ta': ", text)
+                self.assertIn("units 'K'", text)
+
     def test_what_the_dataset_answers(self):
         for option in ({"height": "z"}, {"height_units": "m"}, {"level_units": "hPa"}):
             with self.subTest(option), self.assertRaisesRegex(TypeError, f"globe.. takes {next(iter(option))} from the variables"):

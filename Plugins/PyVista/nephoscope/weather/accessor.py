@@ -3,6 +3,7 @@
 """The accessor ``dataset.nephoscope`` of xarray.Dataset and xarray.DataArray."""
 from __future__ import annotations
 
+import warnings
 from functools import partial
 from typing import TYPE_CHECKING, Any, Callable, Sequence
 
@@ -284,6 +285,8 @@ class WeatherAccessor:
         if (section := as_section(self._dataset)) is not self._dataset:
             return WeatherAccessor(section).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, **look, **options)
         refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", "background", *LOOK_OF_PLOT))
+        if "sun" not in look and (level := self._of_one_level(scalars, time, options)) is not None:
+            return WeatherAccessor(level).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, **look, **options)
         found, of_field = self._of_field(scalars, time, options)
         lit = "sun" in look  # needs all water and the air
         make = lambda factor: self.globe(time=time, vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731
@@ -294,10 +297,18 @@ class WeatherAccessor:
         draw = plotted_section if axis_of_section(grid) else plotted
         return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view)
 
+    def _of_one_level(self, scalars: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any]) -> xarray.Dataset | None:
+        """The dataset without levels, where a field without them is wanted of one that has others with levels; otherwise None."""
+        if scalars not in self._dataset.data_vars or "vertical" in options:
+            return None
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # who reads the field will tell
+            reading = self._understood(0 if time is None else time, None, _options(options)[0])[0]
+        grid = set(reading.horizontal.dims)
+        return self._dataset.drop_dims(reading.vertical.dim) if reading.vertical is not None and scalars in reading.dataset.data_vars and set(reading.dataset[scalars].dims) == grid else None
+
     def _exaggeration(self, options: dict[str, Any]) -> float:
         """What suits a picture of the first step."""
-        import warnings
-
         from .exaggeration import USUAL, suitable
         usual = 1.0 if self._is_flat(options) else USUAL
         with warnings.catch_warnings():
@@ -341,8 +352,17 @@ class WeatherAccessor:
         Returns
         -------
         str
-            Lines to print.
+            Lines to print. Where the grid or the levels are not recognized, they say why and what to do, and list the variables.
         """
+        from .describing import not_understood
+        from .horizontal import GridError
+        from .vertical import VerticalError
+        try:
+            return self._described(time, vertical, roles)
+        except (GridError, VerticalError) as problem:
+            return not_understood(self._dataset, problem)
+
+    def _described(self, time: int | str | np.datetime64 | None, vertical: str | None, roles: dict[str, Any]) -> str:
         if self._is_flat(roles):
             from .flat import Flat
             from .flat_mesh import described_flat
@@ -360,8 +380,6 @@ class ArrayAccessor(WeatherAccessor):
 
 
 def register() -> None:
-    import warnings
-
     import xarray
 
     from .extras import load_netcdf_of_vtk

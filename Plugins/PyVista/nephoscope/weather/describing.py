@@ -26,6 +26,15 @@ def described(reading: Reading, air: Air, dataset) -> str:
     return "\n".join(lines + [f"note: {note}" for note in [*reading.horizontal.notes, *(reading.vertical.notes if reading.vertical else []), *reading.notes]])
 
 
+def not_understood(dataset, problem: Exception) -> str:
+    """What is in a dataset whose grid or levels are not recognized, and why they are not."""
+    def line(kind: str, name, variable) -> str:
+        known = [f"{key} {variable.attrs[key]!r}" for key in ("standard_name", "units", "axis", "positive") if key in variable.attrs]
+        sizes = ", ".join(f"{dim} {size}" for dim, size in variable.sizes.items())
+        return f"{kind} {name!r}: {sizes or 'no dimension'}" + "".join(f", {text}" for text in known)
+    return "\n".join([f"not recognized: {problem}", *(line("coordinate", *item) for item in dataset.coords.items()), *(line("variable", *item) for item in dataset.data_vars.items())])
+
+
 def _look_for_zeros(reading: Reading) -> None:
     """Notes the zeros of land in temperature, salinity and currents of the sea."""
     with warnings.catch_warnings():

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .._pipeline import level_of_caller
 from .extras import need
 
 MISSING = 9.999e35
@@ -207,7 +208,7 @@ class Layout:
             table[place] = i if table[place] < 0 else table[place]
         if twice:
             warnings.warn(f"{self.path}: {twice} fields of {messages[0].variable[0]!r} ({kind}) have the same time and level, for example because they come from forecasts with "
-                          "different start times; the first of each was taken.", UserWarning, stacklevel=5)
+                          "different start times; the first of each was taken.", UserWarning, stacklevel=level_of_caller())
         array = _lazy(self.path, messages, table, self.grid)
         attributes = attributes_of(self.path, messages[0])
         if not _several(messages):

@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from .._checks import listed
+from .._pipeline import level_of_caller
 from .horizontal import GridError, find_horizontal, is_latitude, is_longitude
 from .helpers import helpers
 from .prepare import prepared
@@ -280,4 +281,4 @@ class Reading:
 
     def warn(self, text: str) -> None:
         self.note(text)
-        warnings.warn(text, UserWarning, stacklevel=6)
+        warnings.warn(text, UserWarning, stacklevel=level_of_caller())

@@ -7,6 +7,8 @@ import warnings
 
 import numpy as np
 
+from .._pipeline import level_of_caller
+
 
 _NAMES = ("time", "valid_time", "step", "forecast_time", "leadtime", "initial_time", "forecast_reference_time", "xtime", "t", "date", "init_time", "lead_time", "prediction_timedelta", "timestep", "time_counter", "time_instant", "month", "season", "year", "dayofyear", "doy")
 _STARTS = ("time", "forecast_reference_time", "reftime", "initial_time", "init_time", "valid_time")  # of forecasts
@@ -46,7 +48,7 @@ def choose_time(dataset, dims: list[str], time):
         dim = several[0]
         chosen[dim] = _index(dataset, dim, time)
         for other in several[1:]:
-            warnings.warn(f"{other!r} is a second dimension of time, of {dataset.sizes[other]}; the first was taken. Choose one: ds.isel({other}=0).", UserWarning, stacklevel=5)
+            warnings.warn(f"{other!r} is a second dimension of time, of {dataset.sizes[other]}; the first was taken. Choose one: ds.isel({other}=0).", UserWarning, stacklevel=level_of_caller())
     elif time is not None and dims:
         chosen[dims[0]] = _index(dataset, dims[0], time)
     found = dataset.isel(chosen)
@@ -66,7 +68,7 @@ def _index(dataset, dim: str, time) -> int:
     size = dataset.sizes[dim]
     if time is None:
         warnings.warn(f"The dataset has {size} times ({dim!r}), {_range(dataset, dim)}; the first was taken. Choose one with time: an index, 0 to {size - 1}, or a date.", UserWarning,
-                      stacklevel=6)
+                      stacklevel=level_of_caller())
         return 0
     if isinstance(time, (int, np.integer)):
         if not -size <= time < size:
