@@ -130,6 +130,15 @@ class Copies(unittest.TestCase):
     def test_of_python(self):
         """copy.copy and copy.deepcopy are .copy(); pickle says what to do."""
         for name, _, volume, _ in self.originals():
+            for copied in (copy.copy, copy.deepcopy):
+                other = copied(volume.mapper)
+                self.assertIs(type(other), type(volume.mapper))
+                self.assertIsNot(other, volume.mapper)
+                self.assertIsNot(other.lookup_table, volume.mapper.lookup_table)
+                self.assertEqual(other.scalar_range, volume.mapper.scalar_range)
+                self.assertEqual(other.dataset.n_points, volume.mapper.dataset.n_points)
+            with self.assertRaisesRegex(TypeError, "Pickle its mesh, mapper.dataset, and add it"):
+                pickle.dumps(volume.mapper)
             if name == "clouds":
                 continue  # PyVista's own actor
             for copied in (copy.copy, copy.deepcopy):

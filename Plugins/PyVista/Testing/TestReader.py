@@ -71,7 +71,7 @@ class Reader(unittest.TestCase):
             nephoscope.read_cf(__file__)
         files = {"smoke.vtu": (b"<VTKFile>", r"smoke.vtu is a mesh. Read it by pyvista.read\('.*smoke.vtu'\).* `read_cf` reads NetCDF."),
                  "a.grib2": (b"GRIB\0\0\0\2" + bytes(99), r"a.grib2 is GRIB. Open it by nephoscope.open\('.*a.grib2'\)"),
-                 "cut.nc": (b"CDF\1", "cut.nc cannot be read, probably because it is incomplete or damaged"), "b.png": (b"\x89PNG\r\n", "b.png is neither GRIB nor NetCDF: it begins")}
+                 "cut.nc": (b"CDF\1", "cut.nc cannot be read, probably because it is incomplete or damaged"), "b.png": (b"\x89PNG\r\n\x1a\n\0\0", "b.png is neither GRIB nor NetCDF: it begins")}
         with tempfile.TemporaryDirectory() as folder:
             for name, (content, words) in files.items():
                 path = os.path.join(folder, name)

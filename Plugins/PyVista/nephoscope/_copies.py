@@ -11,6 +11,19 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 from ._pipeline import warn_when_drawing
 
 
+class CopiedMapper:
+    """Added to a mapper with a method `copy`: Python's own copies are that one."""
+
+    def __copy__(self) -> Any:
+        return self.copy()
+
+    def __deepcopy__(self, _memo: dict) -> Any:
+        return self.copy()
+
+    def __reduce_ex__(self, _protocol: Any) -> Any:
+        raise TypeError("The mapper of a plotter cannot be pickled. Pickle its mesh, mapper.dataset, and add it to a plotter again.")
+
+
 class MediumVolume(pyvista.Volume):
     """A `pyvista.Volume` whose copies have the position of the original, and colours that follow their own mapper."""
 

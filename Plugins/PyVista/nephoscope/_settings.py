@@ -10,15 +10,15 @@ import numpy as np
 import pyvista
 
 from ._components import choose_component
-from ._copies import copied_mapper
+from ._copies import CopiedMapper, copied_mapper
 from ._typing import Numbers
 from .transfer import beyond, colour_function, opacity_function
 
 USUAL = {"clim": "scalar_range", "cmap": "lookup_table"}  # names of arguments
 
 
-class KnownSettings:
-    """Added to a class of VTK: raises AttributeError for a new attribute. Names that begin with an underscore are free."""
+class KnownSettings(CopiedMapper):
+    """Added to a mapper of VTK: raises AttributeError for a new attribute. Names that begin with an underscore are free."""
 
     def __setattr__(self, name: str, value: Any) -> None:
         if not name.startswith("_") and not hasattr(type(self), name):
