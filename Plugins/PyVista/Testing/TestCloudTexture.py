@@ -104,6 +104,24 @@ class Background(Picture):
             middle = self.picture()[SIZE // 2 - 20:SIZE // 2 + 20, SIZE // 2 - 20:SIZE // 2 + 20].mean(axis=(0, 1))
             self.assertGreater(np.abs(middle - pyvista.Color(background).float_rgb).max(), 0.3, background)
 
+    def test_clouds_on_white_are_light(self):
+        """Bluish, mostly lighter than the middle between black and white, nowhere black, with few steep edges; what the user sets stays."""
+        self.plotter.background_color = "white"
+        actor = self.add(pyvista.Sphere(radius=0.45), lighting=True, thin_color=None, texture_scale=0)
+        self.assertEqual((actor.mapper.GetSoftness(), actor.prop.ambient), (0.8, 0.4))
+        picture = self.picture()
+        middle = picture[SIZE // 2 - 40:SIZE // 2 + 40, SIZE // 2 - 40:SIZE // 2 + 40]
+        self.assertGreater(np.median(middle), 0.5)
+        self.assertGreater(np.percentile(middle, 1), 0.3)
+        self.assertGreater((middle[..., 2] - middle[..., 0]).mean(), 0.02)
+        self.plotter.clear()
+        actor = self.add(softness=0.1, ambient=0.2, lighting=True)
+        self.assertEqual((actor.mapper.GetSoftness(), actor.prop.ambient), (0.1, 0.2))
+        for options in ({"color": "red"}, {"scalars": np.arange(4.0)}):
+            self.assertEqual(self.add(pyvista.Plane(i_resolution=1, j_resolution=1), **options).mapper.GetSoftness(), 0.4)
+        self.plotter.background_color = "black"
+        self.assertEqual(self.add().mapper.GetSoftness(), 0.4)
+
     def test_white_before_ground(self):
         self.plotter.background_color = "white"
         grey = self.add().prop.color.float_rgb

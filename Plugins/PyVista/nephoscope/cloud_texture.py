@@ -19,7 +19,7 @@ from ._checks import arrays_of, as_array, choose, listed, require_number
 from ._components import require_component, title_of
 from ._copies import copied_mapper
 from ._exports import warn_when_exported
-from ._fields import is_bright, presets
+from ._fields import is_bright
 from ._from_xarray import meshed
 from ._medium import default_scalars, require_plotter, wrapped
 from ._pipeline import warn_when_drawing
@@ -28,6 +28,8 @@ from ._typing import Numbers
 from .light import add_sun, brightest, lit_colours, lit_surface
 
 AMBIENT = 0.4  # of the light on a surface that faces the sun, on one that does not, as clouds scatter light all around
+
+GREY, THIN = "#a3b8cf", "#f0f4f8"  # of clouds on a bright background, whose thin parts are lighter
 
 
 class CloudTextureMapper(KnownSettings, vtkCloudTextureMapper):
@@ -87,7 +89,7 @@ def _density_volume(volume: Any, name: str | None) -> tuple[pyvista.DataObject, 
 def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarray | None = None, *,
                       color: Any = None, coverage: float | str | None = None, threshold: float | None = None, texture_scale: float = 0.0,
                       texture_length: float = 0.0, waves: str | Any = "clouds", use_altitude: bool = False,
-                      altitude_range: Numbers = (0.0, 0.0), softness: float = 0.4, relief: float = 0.03, thin_color: Any = None,
+                      altitude_range: Numbers = (0.0, 0.0), softness: float | None = None, relief: float = 0.03, thin_color: Any = None,
                       thick_color: Any = None, color_range: float = 1.5, optical_depth: float = 3.0, use_thickness: bool | None = None,
                       thickness_effect: str | None = None, thickness_weight: float = 1.0, extinction: float = 0.0, density: str | None = None,
                       density_volume: Any = None, layers: int = 8,
@@ -105,8 +107,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     scalars : str or numpy.ndarray, optional
         Point or cell array that colours the clouds; vectors give their magnitude, or one component if `component` is among the options. Default: none, the clouds have one colour.
     color : ColorLike, optional
-        The colour without `scalars`. Default: white; on a bright background the middle grey of the preset ``'clouds'`` of `add_cells`, unless
-        the plotter has another surface, such as the ground.
+        The colour without `scalars`. Default: white; on a bright background a bluish grey with soft edges and weak shades, unless
+        the plotter has another surface, such as the ground. White clouds before a blue or dark background look more like clouds.
     coverage : float or str, optional
         Fraction of the surface that is cloud, 0 to 1, or the name of a point array with it, such as the cloud fraction of a model. Default: 0.5;
         with ``thickness_effect="threshold"``, which adds cloud where it is thick, 0.1.
@@ -125,12 +127,13 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         True: the third texture coordinate is the altitude, 0 to 1; on a globe the other two are longitude and latitude, as in the paper.
     altitude_range : sequence of 2 float, default: (0.0, 0.0)
         With `use_altitude`: the altitudes that map to 0 and 1. If they are not in increasing order: the range of the data.
-    softness : float, default: 0.4
-        Width of cloud edges, in standard deviations of the texture, 0 to 2.
+    softness : float, optional
+        Width of cloud edges, in standard deviations of the texture, 0 to 2. Default: 0.4; 0.8 with the bluish grey that `color` has on a bright background.
     relief : float, default: 0.03
         Height of the bump map that shades the clouds, as a fraction of the longest wavelength of the texture, 0 to 1.
     thin_color : ColorLike, optional
-        Colour where the texture just exceeds the threshold; it multiplies the colour of the surface. Default: a bluish grey.
+        Colour where the texture just exceeds the threshold; it multiplies the colour of the surface. Default: a bluish grey; nearly white with the bluish grey that `color` has on a
+        bright background.
     thick_color : ColorLike, optional
         Colour where the texture exceeds the threshold by `color_range` or more; smaller values blend it with `thin_color`. Default: white.
     color_range : float, default: 1.5
@@ -205,14 +208,15 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         mapper.SetThreshold(require_number(threshold, "threshold"))
     mapper.SetTextureScale(require_number(texture_scale, "texture_scale", least=0, most=1e6))
     mapper.SetTextureLength(require_number(texture_length, "texture_length", least=0))
-    mapper.SetSoftness(require_number(softness, "softness", least=0, most=2))
+    in_grey = scalars is None and color is None and _needs_grey(plotter)
+    mapper.SetSoftness(require_number((0.8 if in_grey else 0.4) if softness is None else softness, "softness", least=0, most=2))
     mapper.SetRelief(require_number(relief, "relief", least=0, most=1))
     _set_waves(mapper, waves)
     mapper.SetUseAltitude(use_altitude)
     if len(altitude_range) != 2:
         raise ValueError(f"altitude_range is {altitude_range!r}; it must be two altitudes.")
     mapper.SetAltitudeRange([require_number(altitude, "altitude_range") for altitude in altitude_range])
-    for given, setter in ((thin_color, mapper.SetThinColor), (thick_color, mapper.SetThickColor)):
+    for given, setter in ((THIN if in_grey and thin_color is None else thin_color, mapper.SetThinColor), (thick_color, mapper.SetThickColor)):
         if given is not None:
             setter(pyvista.Color(given).float_rgb)
     mapper.SetColorRange(require_number(color_range, "color_range", least=1e-6, most=1e6))
@@ -239,7 +243,9 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     if scalars is not None and not options.get("rgb"):
         _say_component(surface, scalars, options)
     if scalars is None:
-        options["color"] = _default_color(plotter) if color is None else color
+        options["color"] = color if color is not None else GREY if in_grey else "white"
+    if in_grey and not {"ambient", "diffuse"} & set(options):
+        options.update(ambient=AMBIENT, diffuse=1 - AMBIENT)
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
     if sun is not None:
         surface, scalars = _light(plotter, surface, scalars, sun, exposure, tone_mapping, options)
@@ -310,11 +316,9 @@ def _set_waves(mapper: CloudTextureMapper, waves: Any) -> None:
         mapper.SetCustomWave(i, *row)
 
 
-def _default_color(plotter: pyvista.BasePlotter) -> Any:
-    """White, or a colour that is visible on a bright background."""
-    if not is_bright(plotter.background_color) or any(_is_ground(actor) for actor in plotter.renderer.actors.values()):
-        return "white"
-    return presets()["clouds"].colour_map(bright=True, samples=3)[1]
+def _needs_grey(plotter: pyvista.BasePlotter) -> bool:
+    """Whether white would not be visible: on a bright background, without the ground."""
+    return is_bright(plotter.background_color) and not any(_is_ground(actor) for actor in plotter.renderer.actors.values())
 
 
 def _is_ground(actor: Any) -> bool:
