@@ -107,6 +107,36 @@ class Ocean(unittest.TestCase):
             roms(160000.0).nephoscope.globe()
 
 
+    def test_terms_by_their_usual_names(self):
+        """ROMS without formula_terms, by Vtransform."""
+        for number in (1, 2):
+            own = roms()
+            own.s_rho.attrs["standard_name"] = f"ocean_s_coordinate_g{number}"
+            bare = own.assign(Vtransform=number)
+            bare.s_rho.attrs.clear()
+            np.testing.assert_array_equal(bare.nephoscope.globe()["Height"], own.nephoscope.globe()["Height"])
+        with self.assertRaisesRegex(ValueError, "heights of the levels 's_rho'"):
+            bare.drop_vars("Vtransform").nephoscope.globe()
+
+    def test_masks_of_models(self):
+        """Land of ROMS, where the mask is 0, is missing in fields, and is placed as before."""
+        mask = np.ones((11, 12))
+        mask[:, :3] = 0
+        data = roms().assign(mask_rho=(("eta_rho", "xi_rho"), mask))
+        grid = data.nephoscope.globe()
+        np.testing.assert_array_equal(np.isnan(np.asarray(grid["temp"]).reshape(8, 11, 12)), np.broadcast_to(mask == 0, (8, 11, 12)))
+        np.testing.assert_array_equal(grid["Height"], roms().nephoscope.globe()["Height"])
+        self.assertIn("land is where 'mask_rho' is 0", data.nephoscope.describe())
+
+    def test_places_that_are_missing_need_no_advice(self):
+        lon, lat = np.meshgrid(LON, LAT)
+        lon[2, 3] = lat[2, 3] = np.nan
+        data = xr.Dataset({"tos": (("y", "x"), 0 * LAT[:, None] + LON, {"units": "degC"})}, {"lon": (("y", "x"), lon, {"units": "degrees_east"}), "lat": (("y", "x"), lat, {"units": "degrees_north"})})
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertEqual((np.asarray(data.nephoscope.globe().point_data["vtkGhostType"]) != 0).sum(), 1)
+
+
 class Zeros(unittest.TestCase):
     """NEMO's zeros on land and below the bottom."""
 
@@ -169,6 +199,19 @@ class Sheer(unittest.TestCase):
                 table = self.plotted(values, name, **attrs)
                 self.assertEqual(table.values[0, 3], 255 if opaque else 0)
                 self.assertEqual(table.values[-1, 3], 255)
+
+    def test_the_near_side_hides_the_far_one(self):
+        """Also where the ground below wide cells does not, and with values missing elsewhere."""
+        longitudes, latitudes = np.arange(-180, 180, 20.0), np.arange(-80, 81, 20.0)
+        near = np.where(np.abs(longitudes) < 90, 1.0, 0.0) * np.ones((len(latitudes), 1))
+        near[-1, 9] = np.nan
+        data = xr.Dataset({"field": (("lat", "lon"), near)}, {"lat": ("lat", latitudes, {"units": "degrees_north"}), "lon": ("lon", longitudes, {"units": "degrees_east"})})
+        plotter = data.nephoscope.plot("field", screenshot=str(OUTPUT), window_size=(200, 200), view=(0, 0), cmap=["blue", "red"], background="black")
+        self.addCleanup(plotter.close)
+        picture = pyvista.read(OUTPUT)["PNGImage"].reshape(200, 200, -1)[..., :3].astype(int)
+        below = picture[:150, :148]  # without the bar and the pole
+        self.assertGreater((below[..., 0] > 200).sum(), 8000)
+        self.assertEqual((below[..., 2] > 100).sum(), 0)
 
     def test_aerosol_has_not_the_colour_of_deserts(self):
         table = self.plotted(0.3 + np.random.default_rng(0).random((len(LAT), len(LON))), "aod")

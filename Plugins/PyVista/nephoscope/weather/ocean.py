@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from .vertical import VerticalError, formula_terms
+from .vertical import VerticalError, formula_terms, usual_terms
 
 _NEEDED = {"ocean_sigma_coordinate": ("sigma", "eta", "depth"), "ocean_s_coordinate_g1": ("s", "C", "eta", "depth", "depth_c"), "ocean_s_coordinate_g2": ("s", "C", "eta", "depth", "depth_c")}
 
@@ -13,7 +13,8 @@ _NEEDED = {"ocean_sigma_coordinate": ("sigma", "eta", "depth"), "ocean_s_coordin
 def heights_of_terms(reading) -> tuple[np.ndarray, str]:
     """Heights, negative below the sea, and their source."""
     vertical = reading.vertical
-    kind, terms = reading.dataset[vertical.name].attrs["standard_name"], formula_terms(reading.dataset, vertical)
+    terms = formula_terms(reading.dataset, vertical)
+    kind, terms = (reading.dataset[vertical.name].attrs["standard_name"], terms) if terms else usual_terms(reading.dataset, vertical.dim)
     missing = [term for term in _NEEDED[kind] if terms.get(term) not in reading.dataset.variables]
     if missing:
         raise VerticalError(f"The levels {vertical.name!r} are an {kind}, but of their formula_terms, {terms}, these are not in the dataset: {', '.join(missing)}.")

@@ -10,6 +10,7 @@ import pyvista
 
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
+from .._over_time import follows
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface
 from .bars import finish_bars, make_room
@@ -50,6 +51,17 @@ def without_missing(grid: pyvista.DataSet, scalars: str | None) -> pyvista.DataS
     return grid
 
 
+def _present(grid: pyvista.DataSet, name: str, association: str) -> pyvista.DataSet:
+    """The cells of one time that have values, as a copy if some have none: where a part of a globe is transparent, its far side is seen through the near one."""
+    data = grid.point_data if association == "point" else grid.cell_data
+    there = np.isfinite(data[name])
+    if follows(grid) or not there.any() or there.all():
+        return grid
+    if association == "cell":
+        return grid.extract_cells(np.flatnonzero(there))
+    return grid.extract_points(there, adjacent_cells=False)
+
+
 def is_untouched(plotter: pyvista.BasePlotter) -> bool:
     """True for a plotter that has nothing but the defaults of PyVista."""
     alone = plotter.shape == (1, 1) and not plotter.renderer.actors and not plotter.renderer.camera_set
@@ -72,7 +84,8 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         refuse_volume(options)
         name = default_scalars(grid)[1] if scalars is None else scalars
         association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
-        plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options)})
+        sheet = _present(grid, name, association)
+        plotter.add_mesh(sheet, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, **surface_look(plotter, grid, name, association, options)})
     else:
         options = look_of_water(grid, default_scalars(grid)[1] if scalars is None else scalars, options, VOLUME) if sea else options
         add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})

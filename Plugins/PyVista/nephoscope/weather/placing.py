@@ -154,12 +154,15 @@ def structure(reading: Reading, air: Air) -> tuple[pyvista.DataSet, np.ndarray]:
                         + (f", with y={reading.vertical.dim!r}." if reading.vertical else "."))
     heights = _heights(reading, air)
     if reading.horizontal.missing is not None:
+        places_alone = np.isfinite(heights).all()
         heights = np.where(reading.horizontal.missing, np.nan, heights)
     order = order_of(reading, heights)
     levels = reading.levels()[order] if reading.vertical and reading.vertical.kind in ("pressure", "depth") else np.arange(len(order), dtype=float)
     if reading.level_pressure is not None:
         levels = np.array([reading.level_pressure])
     mesh = _mesh(reading, levels)
+    if reading.horizontal.missing is not None and places_alone:  # of repeated points and of those without a place
+        mesh.field_data[GAPS_ARE_TOLD] = [1]
     add(mesh, HEIGHT, heights, order)
     if is_below(np.nanmin(heights, initial=0.0), np.nanmax(heights, initial=-DEEPEST)) and np.nanmin(heights) >= -DEEPEST:
         mesh.field_data[IS_SEA] = [1]

@@ -15,7 +15,7 @@ from .horizontal import GridError, find_horizontal, is_latitude, is_longitude
 from .helpers import helpers
 from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
-from .sea import zeros_of_land
+from .sea import SEA_MASKS, zeros_of_land
 from .stagger import to_centres
 from .times import choose_time, is_member, time_dims
 from .units import UnitsError, converted, in_fractions, knows, plain, without_fill_values
@@ -225,7 +225,19 @@ class Reading:
             undeclared = np.isin(found, UNDECLARED)
             self.note(f"{name!r}: {undeclared.sum()} values of {found[undeclared][0]:g} are taken as missing" if undeclared.any() else "")
             gone |= undeclared
-        return np.where(gone | self._zeros_of_land(name, found), np.nan, found)
+        land = self._land_of_mask(name, found)
+        return np.where(gone | (self._zeros_of_land(name, found) if land is None else land), np.nan, found)
+
+    def _land_of_mask(self, name: str, found: np.ndarray) -> np.ndarray | None:
+        """Where the model's own mask of the sea is 0, in fields on levels that do not tell where these are; None without a mask."""
+        mask = next((mask for mask in SEA_MASKS if mask in self.dataset.variables and mask != name), None)
+        if mask is None or self.vertical is None or found.ndim != 1 + len(self.horizontal.shape) or set(self.dataset[mask].dims) != set(self.horizontal.dims):
+            return None
+        if name in {self.roles.get(role) for role in PLACING - {"w"}}:
+            return None
+        land = self.values(mask) == 0
+        self.note(f"land is where {mask!r} is 0: nothing is drawn there" if land.any() else "")
+        return np.broadcast_to(land, found.shape)
 
     def _zeros_of_land(self, name: str, found: np.ndarray) -> np.ndarray | bool:
         on_levels = self.vertical is not None and self.vertical.dim in self.dataset[name].dims

@@ -20,6 +20,7 @@ OPAQUE = 1e-7  # of the diagonal: the distance over which the water has an optic
 _STATE = "temperature|salinity|velocity|density"
 _WATER = re.compile(rf"(sea ?water|sea surface|ocean).*({_STATE})|({_STATE}).*(sea ?water|ocean)|salinity|(potential|conservative) temperature")
 _NAMES = re.compile("(thetao|to|so|tos|sos|sst|sss|uo|vo|wo|votemper|vosaline|vozocrtx|vomecrty|sosstsst|sosaline|toce|soce|temp|salt)")
+SEA_MASKS = ("mask_rho", "tmask", "tmaskutil")  # of ROMS and NEMO: 0 on land
 LEAST, LEAST_OF_LEVEL = 0.001, 0.02  # of all values: the zeros of land
 OFTEN = 20  # times as often as any other value
 

@@ -79,6 +79,8 @@ def _judged(dataset, dim: str) -> Vertical:
         standard = variable.attrs.get("standard_name", "")
         if standard in _FORMULAS and (_terms(variable) or standard == "atmosphere_sigma_coordinate"):
             return Vertical(dim, _FORMULAS[standard], str(variable.name))
+    if usual_terms(dataset, dim):
+        return Vertical(dim, "ocean sigma", dim)
     if dim in _GRIB_KINDS:
         return Vertical(dim, _GRIB_KINDS[dim], dim)
     if (hybrid := _by_coefficients(dataset, dim)) is not None:  # also if the axis has units of pressure, as CESM's
@@ -178,6 +180,15 @@ def usual_coefficients(dataset, dim: str) -> dict[str, str] | None:
         if a in dataset.variables and b in dataset.variables and dataset[a].dims == (dim,):
             return {"a": a, "b": b}
     return None
+
+
+def usual_terms(dataset, dim: str) -> tuple[str, dict[str, str]] | None:
+    """Standard name and terms of the terrain-following levels of ROMS without formula terms, by the usual names and the number of the transformation; None if these are not there."""
+    terms = {"s": dim, "C": "Cs_r" if dim == "s_rho" else "Cs_w", "eta": "zeta", "depth": "h", "depth_c": "hc"}
+    number = dataset.variables.get("Vtransform", dataset.attrs.get("Vtransform"))
+    if dim not in ("s_rho", "s_w") or number is None or not set(terms.values()) <= set(dataset.variables) or np.ravel(number)[0] not in (1, 2):
+        return None
+    return f"ocean_s_coordinate_g{int(np.ravel(number)[0])}", terms
 
 
 def axis_of(reading, name: str) -> str | None:
