@@ -21,8 +21,6 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
-#include <numeric>
 
 namespace nephoscope
 {
@@ -64,35 +62,26 @@ void splitTriquadraticHexahedron(Emit emit)
   }
 }
 
-/** A hexahedron with points in the middle of its edges and of four faces: one cell, of triangles and quadrilaterals. */
+/** A hexahedron with points in the middle of its edges and of four faces: in each half a wedge at every corner, and a hexahedron between them. */
 template <typename Emit>
 void splitBiquadraticHexahedron(Emit emit)
 {
-  constexpr int corners[6][9] = { { 0, 16, 4, 15, 7, 19, 3, 11, 20 },
-    { 1, 9, 2, 18, 6, 13, 5, 17, 21 }, { 0, 8, 1, 17, 5, 12, 4, 16, 22 },
-    { 3, 19, 7, 14, 6, 18, 2, 10, 23 }, { 0, 11, 3, 10, 2, 9, 1, 8, -1 },
-    { 4, 12, 5, 13, 6, 14, 7, 15, -1 } };
-  int faces[4 * 4 * 5 + 2 * (4 * 4 + 5)], length = 0;
-  auto add = [&](std::initializer_list<int> face) {
-    faces[length++] = static_cast<int>(face.size());
-    length +=
-      static_cast<int>(std::copy(face.begin(), face.end(), faces + length) - (faces + length));
-  };
-  for (const auto& f : corners)
+  constexpr int corners[3][4] = { { 0, 1, 2, 3 }, { 16, 17, 18, 19 }, { 4, 5, 6, 7 } };
+  constexpr int middles[3][4] = { { 8, 9, 10, 11 }, { 22, 21, 23, 20 }, { 12, 13, 14, 15 } };
+  for (int half = 0; half < 2; ++half)
   {
-    for (int c = 0; c < 8; c += 2)
+    const int(&low)[4] = middles[half];
+    const int(&high)[4] = middles[half + 1];
+    for (int c = 0; c < 4; ++c)
     {
-      f[8] < 0 ? add({ f[c], f[c + 1], f[(c + 7) % 8] })
-               : add({ f[c], f[c + 1], f[8], f[(c + 7) % 8] });
+      const int before = (c + 3) % 4;
+      const int wedge[] = { corners[half][c], low[c], low[before], corners[half + 1][c], high[c],
+        high[before] };
+      emit(makeFaceList(wedgeFaceList), wedge);
     }
-    if (f[8] < 0)
-    {
-      add({ f[1], f[3], f[5], f[7] });
-    }
+    const int core[] = { low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3] };
+    emit(makeFaceList(hexahedronFaceList), core);
   }
-  int own[24];
-  std::iota(own, own + 24, 0);
-  emit(FaceList<int>{ faces, faces + length }, own);
 }
 
 template <typename Emit>

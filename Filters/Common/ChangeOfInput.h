@@ -11,14 +11,19 @@
 
 namespace nephoscope
 {
-// The newest change of all filters before `filter`; 0 without an input. Another time step of the same series does not change it.
+// The newest change of `filter` and of all filters before it. Another time step of the same series does not change it.
+inline vtkMTimeType changeOfPipeline(vtkAlgorithm* filter)
+{
+  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());
+  return pipeline ? pipeline->GetPipelineMTime() : filter->GetMTime();
+}
+
+// The same, of the filters before `filter`; 0 without an input.
 inline vtkMTimeType changeOfInput(vtkAlgorithm* filter)
 {
   vtkAlgorithm* producer =
     filter->GetNumberOfInputConnections(0) > 0 ? filter->GetInputAlgorithm(0, 0) : nullptr;
-  auto* pipeline =
-    producer ? vtkDemandDrivenPipeline::SafeDownCast(producer->GetExecutive()) : nullptr;
-  return pipeline ? pipeline->GetPipelineMTime() : producer ? producer->GetMTime() : 0;
+  return producer ? changeOfPipeline(producer) : 0;
 }
 }
 

@@ -48,8 +48,16 @@ struct StreakState
   vtkMTimeType MTime = 0; // of the pipeline when it was begun
 };
 
+// What the automatic duration and time step of steady smoke follow from; found once for all times of a series.
+struct CrossingTime
+{
+  double Seconds = 0.0;    // in which the flow at the polygon crosses the data; 0: not yet found
+  vtkMTimeType Change = 0; // of the pipeline, when it was found
+};
+
 struct FlowVolumeState : SeriesReading
 {
+  CrossingTime Crossing;
   std::shared_ptr<const FlowField> Field; // of the last input
   StreakState Streak;
   vtkMTimeType ToldOfNoSmoke = 0; // of the pipeline, when it was told

@@ -147,7 +147,8 @@ public:
   ///@{
   /**
    * Time for which the smoke flows, in seconds; 0 (default): the time in which the flow at the polygon crosses half the diagonal
-   * of the bounds. Unsteady: older smoke is dropped; 0 keeps all smoke.
+   * of the bounds, found once for all times of a series unless the flow becomes four times as fast or as slow. Unsteady: older smoke is dropped; 0
+   * keeps all smoke.
    */
   vtkSetMacro(Duration, double);
   vtkGetMacro(Duration, double);
@@ -326,6 +327,7 @@ private:
 
   // In vtkFlowVolumeSteady.cxx.
   void MakeSteadyVolume(vtkDataObject* input, vtkPolyData* given, vtkUnstructuredGrid* output);
+  double FindCrossingTime(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow);
   bool FindSettings(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow,
     nephoscope::FlowVolumeSettings& settings);
   void ReportSteady(const nephoscope::WholeVolume& whole);

@@ -3,7 +3,9 @@
 // The part of vtkFlowVolume that makes the volume of a steady flow, and says how it was coarsened.
 #include "vtkFlowVolume.h"
 
+#include "ChangeOfInput.h"
 #include "DataSets.h"
+#include "FlowVolumeExchange.h"
 #include "FlowVolumeState.h"
 #include "PolygonFlow.h"
 #include "WholeVolume.h"
@@ -76,10 +78,26 @@ void vtkFlowVolume::MakeSteadyVolume(
     output);
 }
 
+// Another would make the smoke of a film longer and shorter. A flow that has become four times as fast or as slow needs another all the same.
+double vtkFlowVolume::FindCrossingTime(
+  const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow)
+{
+  constexpr double most = 4.0;
+  nephoscope::CrossingTime& kept = this->State->Crossing;
+  const nephoscope::CrossingTime now = { field.Diagonal / flow.MeanSpeed,
+    nephoscope::changeOfPipeline(this) };
+  if (this->Exchange().AnyTrue(now.Change != kept.Change || now.Seconds > most * kept.Seconds ||
+        kept.Seconds > most * now.Seconds))
+  {
+    kept = now;
+  }
+  return kept.Seconds;
+}
+
 bool vtkFlowVolume::FindSettings(const nephoscope::FlowField& field,
   const nephoscope::PolygonFlow& flow, nephoscope::FlowVolumeSettings& settings)
 {
-  const double crossing = field.Diagonal / flow.MeanSpeed;
+  const double crossing = this->FindCrossingTime(field, flow);
   settings.Duration = this->Duration > 0.0 ? this->Duration : 0.5 * crossing;
   // However long the duration is, a step must not lead out of the data at once.
   const double automaticStep = std::max(std::min(settings.Duration / 64.0, crossing / 32.0),

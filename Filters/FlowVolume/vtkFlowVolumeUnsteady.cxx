@@ -9,13 +9,13 @@
 #include "vtkFlowVolume.h"
 
 #include "ArrayBlend.h"
+#include "ChangeOfInput.h"
 #include "FlowVolumeExchange.h"
 #include "FlowVolumeState.h"
 #include "SmokeOutput.h"
 #include "TemporalField.h"
 #include "WholeVolume.h"
 
-#include "vtkDemandDrivenPipeline.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -152,8 +152,7 @@ void vtkFlowVolume::PlanReading(vtkInformation* output)
   }
   state.Requested =
     output->Has(SDDP::UPDATE_TIME_STEP()) ? output->Get(SDDP::UPDATE_TIME_STEP()) : times.back();
-  auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(this->GetExecutive());
-  const vtkMTimeType newest = pipeline ? pipeline->GetPipelineMTime() : this->GetMTime();
+  const vtkMTimeType newest = nephoscope::changeOfPipeline(this);
   const double seconds = this->RequestedSeconds();
   const bool isPast = streak.Volume && streak.Volume->IsAfter(seconds);
   if (!streak.Second || streak.MTime != newest || isPast)

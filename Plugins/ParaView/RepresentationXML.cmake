@@ -79,11 +79,11 @@ foreach (host IN ITEMS Geometry HyperTreeGrid)
     SHARE SurfaceRepresentation CellCompositingRepresentation
     OWN OpacityScale OpacityArray AutomaticUnitDistance UnitDistance)
 endforeach ()
-# Surfaces, also in unstructured grids, and grids one point thick.
+# Surfaces, also in unstructured grids, and grids one point thick. Hyper tree grids, for the sentence that says what makes a surface of them.
 nephoscope_configure_text(CloudTexture.xml.in cloud_texture_representation)
 set(sheets ${grids})
 list(REMOVE_ITEM sheets AMR)
-foreach (host IN LISTS sheets ITEMS Geometry)
+foreach (host IN LISTS sheets ITEMS Geometry HyperTreeGrid)
   nephoscope_extend_representation(${host}Representation CloudTexture "Cloud Texture" nephoscope_extensions
     SHARE SurfaceRepresentation)
 endforeach ()

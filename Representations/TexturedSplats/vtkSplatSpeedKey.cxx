@@ -23,6 +23,7 @@
 #include "vtkVolume.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <sstream>
 
@@ -103,6 +104,25 @@ double widthOf(const std::string& text, vtkTextProperty* style, int dpi)
                                                                             : 0;
 }
 
+bool isNumber(const std::string& word)
+{
+  const std::size_t first = word.find_first_not_of('(');
+  return first != std::string::npos && word.back() != ')' &&
+    std::isdigit(static_cast<unsigned char>(word[first]));
+}
+
+// A number with its unit is one word.
+bool nextWord(std::istringstream& words, std::string& word)
+{
+  std::string unit;
+  const bool found = static_cast<bool>(words >> word);
+  if (found && isNumber(word) && words >> unit)
+  {
+    word += " " + unit;
+  }
+  return found;
+}
+
 // With the words that do not fit into the width on lines of their own.
 std::string broken(const std::string& text, vtkTextProperty* style, int dpi, double width)
 {
@@ -112,7 +132,7 @@ std::string broken(const std::string& text, vtkTextProperty* style, int dpi, dou
   {
     std::istringstream words(line);
     std::string part, word;
-    while (words >> word)
+    while (nextWord(words, word))
     {
       const std::string longer = part.empty() ? word : part + " " + word;
       const bool fits = part.empty() || widthOf(longer, style, dpi) <= width;

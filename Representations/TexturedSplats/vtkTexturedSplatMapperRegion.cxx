@@ -51,6 +51,7 @@ nephoscope::SplatSampling vtkTexturedSplatMapper::GetSampling(bool onCells) cons
   sampling.SizesAreVolumes = this->CellSizeArrayHoldsVolumes;
   sampling.FromCells = this->CellSizeFromCells;
   sampling.FromNeighbors = this->CellSizeFromNeighbors;
+  sampling.WholeCells = onCells;
   if (nephoscope::IsRegion(toRegion(this->Region)))
   {
     const double* o = this->CommonOrigin;

@@ -84,19 +84,40 @@ def check_like_image(kind, source):
         check(0.5 < alpha.mean() / expected_alpha.mean() < 1.2, f"splats of {kind}")
 
 
-def check_frame(source):
-    """The camera frames splats of large cells about as it frames the cells."""
+def framed(source, array, representation):
+    """After Reset Camera: the share of the height of the picture, or of its width, that what is drawn extends over; and the greatest opacity at its border."""
     view = new_view((120, 120))
     display = pvs.Show(source, view)
-    pvs.ColorBy(display, ("CELLS", "Depth"))
-    distances = []
-    for representation in (NAME, SPLATS):
-        display.SetRepresentationType(representation)
-        pvs.Render(view)
-        pvs.ResetCamera(view)
-        distances.append(np.linalg.norm(np.subtract(view.CameraPosition, view.CameraFocalPoint)))
-    check(distances[1] < 1.4 * distances[0], f"the camera is reset to {distances[1]:.1f} for splats, {distances[0]:.1f} for cells")
+    display.SetRepresentationType(representation)
+    if array:
+        pvs.ColorBy(display, array)
+    pvs.Render(view)
+    pvs.ResetCamera(view)
+    alpha = color_and_alpha(view)[1]
     pvs.Delete(view)
+    shown = [np.flatnonzero((alpha > 0.02).any(axis=axis)) for axis in (0, 1)]
+    border = max(alpha[0].max(), alpha[-1].max(), alpha[:, 0].max(), alpha[:, -1].max())
+    return max(np.ptp(each) + 1 if each.size else 0 for each in shown) / 120, border
+
+
+def check_frame():
+    """The camera frames splats of large cells, all that is seen of them, about as it frames the cells; and a single splat."""
+    image = pvs.Wavelet(WholeExtent=[0, 2] * 3)
+    sources = {
+        "hyper tree grid": (producer(hyper_tree_grid()), ("CELLS", "Depth")),
+        "image": (image, ("POINTS", "RTData")),
+        "hexahedra": (pvs.AppendDatasets(Input=[image]), ("POINTS", "RTData")),
+        "cells of an image": (pvs.PointDatatoCellData(Input=image), ("CELLS", "RTData")),
+        "sheet": (pvs.Wavelet(WholeExtent=[0, 2, 0, 2, 0, 0]), ("POINTS", "RTData")),
+        "line": (pvs.Wavelet(WholeExtent=[0, 5, 0, 0, 0, 0]), ("POINTS", "RTData")),
+        "one point": (pvs.PointSource(NumberOfPoints=1), None),
+    }
+    for what, (source, array) in sources.items():
+        share, border = framed(source, array, SPLATS)
+        cells = framed(source, array, "Surface")[0] if what not in ("line", "one point") else 0.5
+        print(f"{what}: splats extend over {share:.2f} of the picture, a surface over {cells:.2f}; opacity at the border {border:.3f}", flush=True)
+        check(share > 0.85 * cells, f"splats of {what} are small after Reset Camera: {share:.2f} of the picture, {cells:.2f} as a surface")
+        check(border < 0.02, f"splats of {what} are cut at the border of the picture after Reset Camera: opacity {border:.3f}")
 
 
 def check_flat():
@@ -114,6 +135,6 @@ if __name__ == "__main__":
     check_like_image("explicit structured grid", producer(explicit((0, 2, -1, 1, 3, 5))))
     check_like_image("AMR data", pvs.AMRGaussianPulseSource())
     check_like_image("hyper tree grid", producer(hyper_tree_grid()))
-    check_frame(producer(hyper_tree_grid()))
+    check_frame()
     check_flat()
     passed()

@@ -133,7 +133,7 @@ def check_offered(view):
 
 def check_surfaces(view):
     """Cloud Texture is offered for surfaces of any kind."""
-    for source in (pvs.Sphere(), pvs.AppendDatasets(Input=[pvs.Sphere()]), pvs.GroupDatasets(Input=[pvs.Sphere(), pvs.Cone()])):
+    for source in (pvs.Sphere(), pvs.AppendDatasets(Input=[pvs.Sphere()]), pvs.GroupDatasets(Input=[pvs.Sphere(), pvs.Cone()]), pvs.HyperTreeGridRandom()):
         offered = pvs.Show(source, view).GetProperty("Representation").GetAvailable()
         check("Cloud Texture" in offered, f"Cloud Texture is not offered: {offered}")
 

@@ -168,6 +168,9 @@ def check_nothing_to_draw(messages):
               messages)
     told_once("points", pvs.PointSource(NumberOfPoints=20), "Cloud Texture", ["Nothing is drawn: the input has 20 points but no polygons", "Textured Splats"],
               messages)
+    tree = pvs.RandomHyperTreeGrid() if hasattr(pvs, "RandomHyperTreeGrid") else pvs.HyperTreeGridRandom()
+    told_once("a hyper tree grid", tree, "Cloud Texture", ["is a hyper tree grid, and its outer surface is drawn",
+              "apply HyperTreeGrid To UnstructuredGrid, Cell Data to Point Data and Contour first"], messages)
     missing = pvs.Calculator(Input=pvs.Sphere(), ResultArrayName="nan", Function="sqrt(-1)", ReplacementValue=float("nan"))
     told_once("no values", missing, "Textured Splats", ["Nothing is drawn: 50 points are left out because array 'nan'"], messages,
               ColorArrayName=["POINTS", "nan"])

@@ -9,7 +9,7 @@ import vtkmodules.vtkCommonDataModel as data_model
 from nephoscope_testing import meshes, polyhedra
 from nephoscope_testing.checks import ImageTestCase, mapper
 from nephoscope_testing.offscreen import Window
-from nephoscope_testing.transfer import random_transfer
+from nephoscope_testing.transfer import constant, random_transfer
 from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 
 HIGHER_ORDER = ("QUADRATIC_TETRA", "QUADRATIC_HEXAHEDRON", "QUADRATIC_WEDGE", "QUADRATIC_PYRAMID", "TRIQUADRATIC_PYRAMID",
@@ -23,6 +23,17 @@ def higher_order(name, order=2):
     source.SetCellOrder(order)
     source.Update()
     return source.GetOutput()
+
+
+def curved(name):
+    """One cell that fills a cube, sheared along z by a parabola: rays along z have a length of 1 in it."""
+    cell = getattr(data_model, "vtk" + name)()
+    middle = {20: (0, 0.5, 0.5), 21: (1, 0.5, 0.5), 22: (0.5, 0, 0.5), 23: (0.5, 1, 0.5), 24: (0.5, 0.5, 0), 25: (0.5, 0.5, 1), 26: (0.5, 0.5, 0.5)}
+    corners = np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)], float)
+    edges = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
+    points = [*corners, *(corners[list(edge)].mean(axis=0) for edge in edges), *(np.array(middle[i]) for i in range(20, cell.GetNumberOfPoints()))]
+    points = np.array([p + (0, 0, 1.2 * p[0] * (1 - p[0])) for p in points])
+    return meshes.grid(points, [(cell.GetCellType(), list(range(len(points))))])
 
 
 def possible_edges(data):
@@ -85,6 +96,18 @@ class CellTypes(ImageTestCase):
     def test_cubic_cells(self):
         for seed, name in enumerate(("LAGRANGE_HEXAHEDRON", "LAGRANGE_WEDGE")):
             self.fills_a_cube(name + " of order 3", higher_order(name, 3), 200 + seed)
+
+    def test_curved_hexahedra(self):
+        """A medium of one value is everywhere as opaque as the cell is high: its parts neither overlap nor leave gaps."""
+        for name in ("QuadraticHexahedron", "BiQuadraticQuadraticHexahedron", "TriQuadraticHexahedron"):
+            data = meshes.with_field(curved(name), lambda p: 0 * p[:, 0])
+            window = Window()
+            scene = window.add_scene()
+            scene.add_volume(mapper(), data, constant(1.5))
+            scene.look(position=(0.5, 0.5, 9), focal_point=(0.5, 0.5, 0), parallel_scale=0.4)
+            window.render()
+            opacity = window.rgba()[..., 3]
+            np.testing.assert_allclose(opacity, 1 - np.exp(-1.5), atol=0.01, err_msg=name)
 
     def test_wedges_in_both_orders(self):
         """That of VTK before 9.7 and the one from then on."""

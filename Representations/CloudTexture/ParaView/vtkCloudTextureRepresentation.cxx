@@ -16,6 +16,7 @@
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkHyperTreeGrid.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiBlockDataSet.h"
@@ -54,6 +55,13 @@ std::vector<vtkPolyData*> SurfacesOf(vtkDataObject* data)
     }
   }
   return surfaces;
+}
+
+bool HasTreesInSpace(vtkDataObject* data)
+{
+  const auto trees = vtkCompositeDataSet::GetDataSets<vtkHyperTreeGrid>(data);
+  return std::any_of(
+    trees.begin(), trees.end(), [](vtkHyperTreeGrid* tree) { return tree->GetDimension() == 3; });
 }
 
 int NumberOfRanks()
@@ -321,13 +329,19 @@ void vtkCloudTextureRepresentation::WarnOfNothing(vtkDataObject* input, vtkDataO
 // Their outer surface is seldom that of a cloud.
 void vtkCloudTextureRepresentation::WarnOfVolume(vtkDataObject* input)
 {
+  const bool hasTrees = input && HasTreesInSpace(input);
   const std::vector<vtkDataSet*> sets =
     input ? nephoscope::DataSetsOf(input) : std::vector<vtkDataSet*>();
-  const bool hasVolumes = std::any_of(sets.begin(), sets.end(), nephoscope::hasVolumes);
+  const bool hasVolumes = hasTrees || std::any_of(sets.begin(), sets.end(), nephoscope::hasVolumes);
   if (hasVolumes && !this->HasToldOfVolume)
   {
-    vtkWarningMacro(
-      "The input has 3-D cells, and their outer surface is drawn. For the surface of clouds inside them apply Cloud Surface (to a grid) or Contour first.");
+    const char* first = hasTrees
+      ? "HyperTreeGrid To UnstructuredGrid, Cell Data to Point Data and Contour"
+      : "Cloud Surface (to a grid) or Contour";
+    vtkWarningMacro("The input " << (hasTrees ? "is a hyper tree grid" : "has 3-D cells")
+                                 << ", and " << (hasTrees ? "its" : "their")
+                                 << " outer surface is drawn. For the surface of clouds inside "
+                                 << (hasTrees ? "it" : "them") << " apply " << first << " first.");
   }
   this->HasToldOfVolume = hasVolumes;
 }

@@ -3,7 +3,6 @@
 #include "vtkTexturedSplatsRepresentation.h"
 
 #include "RankMeasures.h"
-#include "SplatKernel.h"
 #include "SplatMeasures.h"
 #include "SplatPieces.h"
 #include "SplatShapes.h"
@@ -20,7 +19,6 @@
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <cmath>
 
@@ -74,7 +72,6 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   const bool onCells = this->DrawsCells();
   const vtkSmartPointer<vtkDataSet> whole = nephoscope::sampledPart(input);
   this->Piece = whole;
-  const bool inOwnCells = onCells && vtkUnstructuredGrid::SafeDownCast(this->Piece);
   this->Piece = GetNumberOfRanks() > 1
     ? nephoscope::splatVertices(this->Piece, this->GetSampling(onCells))
     : nephoscope::withShapesOfCells(this->Piece, this->GetSampling(onCells));
@@ -83,6 +80,7 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
     vtkDataObject::CELL;
   nephoscope::SplatSampling sampling = this->GetSampling(inCells);
   sampling.ShapeArrayName = nephoscope::splatShapeName;
+  sampling.WholeCells = onCells; // also where all samples are
   int association = vtkDataObject::POINT;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const bool together = (association == vtkDataObject::CELL) == inCells;
@@ -107,11 +105,11 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   vtkMath::UninitializeBounds(this->DataBounds);
   if (this->Piece && this->Piece->GetNumberOfPoints() > 0)
   {
-    const auto kernel = static_cast<nephoscope::SplatKernel>(this->Mapper->GetKernel());
     sampling.RadiusFactor = this->Mapper->GetRadiusFactor();
-    // Those of large cells reach far beyond the mesh, where they are faint: the camera need not see it.
-    nephoscope::FindSplatBounds(nephoscope::SplatShapes(this->Piece, sampling),
-      inOwnCells ? 1.0 : nephoscope::KernelRadius(kernel), this->DataBounds);
+    // Farther out splats are faint. The camera sees what is left of them there, because it sees the ball around these bounds.
+    constexpr double seen = 1.0; // of their kernels
+    nephoscope::FindSplatBounds(
+      nephoscope::SplatShapes(this->Piece, sampling), seen, this->DataBounds);
   }
   if (!this->Piece)
   {
@@ -194,11 +192,7 @@ double vtkTexturedSplatsRepresentation::GetLoopTime() const
 
 void vtkTexturedSplatsRepresentation::SetKernel(int kernel)
 {
-  if (kernel != this->Mapper->GetKernel())
-  {
-    this->Mapper->SetKernel(kernel);
-    this->MarkModified(); // the bounds depend on it
-  }
+  this->Mapper->SetKernel(kernel);
 }
 
 void vtkTexturedSplatsRepresentation::SetCellSize(double size)

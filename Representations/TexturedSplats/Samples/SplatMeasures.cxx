@@ -41,11 +41,12 @@ double weightOf(const SplatMatrix& jacobian)
     std::max({ norm(jacobian[0]), norm(jacobian[1]), norm(jacobian[2]) }));
 }
 
-// A point on the boundary of a mesh has no cell beyond it.
-Vector3 halfWithin(const SplatMatrix& jacobian, double share)
+// A point on the boundary of a mesh has no cell beyond it. The splat of a whole cell may be wider than the cell.
+Vector3 halfWithin(const SplatMatrix& jacobian, double share, bool wholeCells)
 {
   constexpr double inside = 0.99;
-  return share > inside ? halfExtent(jacobian) : Vector3{};
+  const double part = share > inside ? 1.0 : wholeCells ? std::cbrt(share) : 0.0;
+  return part * halfExtent(jacobian);
 }
 
 struct SampleBox
@@ -101,7 +102,7 @@ void forEachSample(const SplatShapes& shapes, const Visit& visit)
 }
 
 // Bounds of the samples' cells that lie in a box. All points of a flat mesh may be on its boundary: across it their cells count.
-MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box)
+MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box, bool wholeCells)
 {
   MediumBounds bounds = NoMediumBounds, whole = NoMediumBounds;
   const auto add = [&](MediumBounds& to, const SampleBox& cell) {
@@ -110,7 +111,7 @@ MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box)
   };
   forEachSample(
     shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian, double share) {
-      const SampleBox cell(place, halfWithin(jacobian, share));
+      const SampleBox cell(place, halfWithin(jacobian, share, wholeCells));
       if (cell.LiesIn(box))
       {
         add(bounds, cell);
@@ -155,8 +156,8 @@ MediumBounds boundsOfSamples(
   }
   const SplatShapes shapes(data, sampling);
   return robustBounds(
-    weightedPlaces(shapes), [&](const MediumBounds& box) { return boundsWithin(shapes, box); },
-    over);
+    weightedPlaces(shapes),
+    [&](const MediumBounds& box) { return boundsWithin(shapes, box, sampling.WholeCells); }, over);
 }
 
 MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* scalars,
@@ -173,7 +174,7 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   forEachSample(
     shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian, double share) {
       addPlace(measures.Bounds, place.data());
-      const Vector3 half = halfWithin(jacobian, share);
+      const Vector3 half = halfWithin(jacobian, share, sampling.WholeCells);
       if (!SampleBox(place, half).LiesIn(common) || reachesOut(halfExtent(jacobian), common))
       {
         return;

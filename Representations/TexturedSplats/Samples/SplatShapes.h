@@ -42,6 +42,8 @@ struct SplatSampling
   vtkDataSet* Mesh =
     nullptr; ///< whose first points are the samples, and which has all cells around them; null: the data
   bool FromNeighbors = false; ///< instead of the mean spacing: that of a point's neighbours
+  bool WholeCells =
+    false; ///< a share is not what lies inside the data, but what is left of a splat that is wider than its cell
 };
 
 /** The arrays on cells, or those on points. */

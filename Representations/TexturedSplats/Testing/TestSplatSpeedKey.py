@@ -11,6 +11,7 @@ from nephoscope_testing.offscreen import Window
 from nephoscope_testing.transfer import Transfer
 from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
+from vtkmodules.vtkRenderingCore import vtkTextRenderer
 
 HIDDEN = Transfer([(0, 1, 1, 1), (1, 1, 1, 1)], [(0, 0), (1, 0)])
 
@@ -128,6 +129,21 @@ class Key(unittest.TestCase):
             self.assertLess(np.flatnonzero(ink.any(axis=1)).max(), 0.6 * size, size)
             self.assertEqual(np.count_nonzero(np.diff(rows) > 0), lines, size)
             self.assertEqual(key.GetText().count("\n"), 2, size)
+
+    def test_numbers_stay_with_their_units(self):
+        """However narrow the view is, the last line has "20 m/s", not the unit alone."""
+        least = [0] * 4
+        style = nephoscope.vtkSplatSpeedKey().GetTextProperty()
+        style.SetFontSize(12)
+        vtkTextRenderer.GetInstance().GetBoundingBox(style, "20 m/s", least, 72)
+        for size in range(110, 230, 5):
+            key = self.scene(TimeScale=300.0, size=(size, size))
+            key.SetSpeedUnit("m/s")
+            self.text(key)
+            ink = np.abs(self.window.rgba(alpha=False) - self.window.rgba(alpha=False)[-1, -1]).max(axis=2) > 0.5
+            rows = np.flatnonzero(ink.any(axis=1))
+            last = ink[rows[0]:rows[0] + 9].any(axis=0)
+            self.assertGreaterEqual(np.ptp(np.flatnonzero(last)), least[1] - least[0] - 3, size)
 
     def test_keys_are_stacked(self):
         key = self.scene(TimeScale=300.0)

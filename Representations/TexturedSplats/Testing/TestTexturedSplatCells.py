@@ -177,6 +177,26 @@ class Cells(ImageTestCase):
         self.check_flat("quadratic hexahedra", quadratic(meshes.Lattice(N).mesh("hexahedron", graded)), 0.01, 0.005)
         self.assertAlmostEqual(self.mass(quadratic(meshes.Lattice(5).mesh("hexahedron", graded)), 1.4, "point"), 1, delta=0.01)
 
+    def test_unit_distance_of_coarse_cells(self):
+        """A cube of few cells is as opaque by default as one of many, of whatever kind its cells are."""
+        found = {}
+        for kind, of in (("hexahedron", {}), ("wedge", {}), ("tetra", {}), ("pyramid", {}), ("hexahedron", {"as_quadratic": True})):
+            for blocks in (2, 3, 6):
+                mesh = meshes.Lattice(blocks).mesh(kind)
+                mesh = meshes.with_field(quadratic(mesh) if of else mesh, lambda p: 0 * p[:, 0], "cell")
+                mapper = nephoscope.vtkTexturedSplatMapper()
+                mapper.SetInputDataObject(mesh)
+                mapper.SelectScalarArray("s")
+                mapper.SetScalarModeToUseCellFieldData()
+                prop = vtkVolumeProperty()
+                prop.SetScalarOpacity(vtkPiecewiseFunction())
+                prop.GetScalarOpacity().AddPoint(0, 0.5)
+                found[kind, bool(of), blocks] = mapper.FindUnitDistance(prop)
+        print("  unit distances:", {key: round(value, 3) for key, value in found.items()}, flush=True)
+        expected = found["hexahedron", False, 6]
+        for key, value in found.items():
+            self.assertAlmostEqual(value / expected, 1, delta=0.35, msg=str(key))
+
     def test_cells_keep_their_volume(self):
         """The mass of the splats of cells is that of the cells, of whatever kind."""
         for kind in ("hexahedron", "wedge", "tetra", "pyramid"):
