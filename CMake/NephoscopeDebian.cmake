@@ -26,6 +26,11 @@ endforeach ()
 install(FILES "${PROJECT_SOURCE_DIR}/Plugins/PyVista/requirements.txt" "${PROJECT_SOURCE_DIR}/Plugins/PyVista/requirements-data.txt"
   DESTINATION share/nephoscope)
 
+# With it ParaView 5.11 keeps unstructured data between ranks in spite of a recent libexpat (Documentation/debian.md).
+if (TARGET expat_whole_tokens)
+  install(TARGETS expat_whole_tokens LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}/nephoscope")
+endif ()
+
 # A change log in the form that Debian asks for, and the step after which the linker finds the libraries.
 string(TIMESTAMP nephoscope_debian_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/changelog.in" "${nephoscope_debian}/changelog.Debian" @ONLY)

@@ -36,7 +36,7 @@ try_package()
 {
   cd "$1" && export HOME="$1/home" && mpi_environment
   on_virtual_display pvpython "$2" pvpython && on_virtual_display paraview --script="$2" &&
-    on_virtual_display mpiexec -n 2 pvbatch "$2" pvbatch && on_virtual_display "$SYSTEM_PYTHON" "$2" python
+    on_virtual_display env LD_PRELOAD="$(dpkg -L nephoscope-paraview | grep libexpat_whole_tokens)" mpiexec -n 2 pvbatch "$2" pvbatch && on_virtual_display "$SYSTEM_PYTHON" "$2" python
 }
 
 # Removes the package. What was compiled and written meanwhile must be gone with it.

@@ -43,6 +43,25 @@ def in_paraview(name):
     save(pvs.Render(), name + ".png")
 
 
+def both_halves():
+    """Unstructured data that each of two ranks has a part of fill the picture on both sides."""
+    from paraview import simple as pvs
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    view = pvs.CreateRenderView()
+    view.ViewSize, view.OrientationAxesVisibility = [200, 200], 0
+    display = pvs.Show(pvs.Tetrahedralize(Input=pvs.Wavelet()), view)
+    display.SetRepresentationType("Cell Compositing")
+    pvs.ColorBy(display, ("POINTS", "RTData"))
+    for position in ([0, 0, 60], [60, 0, 0], [0, 60, 0]):
+        view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = position, [0, 0, 0], [0, 1, 0] if position[1] == 0 else [0, 0, 1]
+        pvs.Render(view)
+        picture = vtk_to_numpy(view.CaptureWindow(1).GetPointData().GetScalars()).reshape(200, 200, -1).astype(int)
+        seen = abs(picture - picture[0, 0]).max(axis=2) > 8
+        sides = [seen[:, :100].sum(), seen[:, 100:].sum(), seen[:100].sum(), seen[100:].sum()]
+        assert min(sides) > 0.9 * max(sides) > 0, f"ranks have lost cells: {sides} pixels from {position}"
+    print("both halves", sides)
+
+
 def first_picture(name):
     """What the documentation promises: the source alone draws the forecast over the Earth."""
     from paraview import simple as pvs
@@ -71,6 +90,8 @@ elif len(sys.argv) > 1 and sys.argv[-1] in ("pvpython", "pvbatch"):
     in_paraview(sys.argv[-1])
     if sys.argv[-1] == "pvpython":
         first_picture("globe.png")
+    else:
+        both_halves()
 else:
     status = 1
     try:
