@@ -81,7 +81,9 @@ def eye_over(view):
 def check_globe_camera():
     """A globe is first seen from above middle latitudes, a region from above itself, north up; a camera that somebody has turned stays."""
     view = new_view(SIZE)
-    pvs.Show(pvs.CloudsovertheGlobe(), view)
+    example = pvs.CloudsovertheGlobe()
+    for port in range(2):  # as Apply does
+        pvs.Show(pvs.OutputPort(example, port), view)
     share = shown(view, "globe-from-the-side")
     _, latitude, north = eye_over(view)
     check(15 < latitude < 50 and north > 0.999, f"the example is seen from latitude {latitude:.0f}, north {north:.2f}")

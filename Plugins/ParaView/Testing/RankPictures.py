@@ -39,7 +39,7 @@ def run_with_server(script, names):
         server = subprocess.Popen([program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, stdout=file, stderr=subprocess.STDOUT)
     try:
         prefix = prefix_of(script, "server")
-        return pictures(prefix, output_of([program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, announced_port(log)]), names)
+        return pictures(prefix, output_of([program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, announced_port(log)], limit=300), names)
     finally:
         server.kill()
         server.wait()
