@@ -104,7 +104,7 @@ class CellTypes(ImageTestCase):
             window = Window()
             scene = window.add_scene()
             scene.add_volume(mapper(), data, constant(1.5))
-            scene.look(position=(0.5, 0.5, 9), focal_point=(0.5, 0.5, 0), parallel_scale=0.4)
+            scene.look(position=(0.5, 0.5, 9), focus=(0.5, 0.5, 0), parallel_scale=0.4)
             window.render()
             opacity = window.rgba()[..., 3]
             np.testing.assert_allclose(opacity, 1 - np.exp(-1.5), atol=0.01, err_msg=name)

@@ -143,7 +143,7 @@ class Key(unittest.TestCase):
             ink = np.abs(self.window.rgba(alpha=False) - self.window.rgba(alpha=False)[-1, -1]).max(axis=2) > 0.5
             rows = np.flatnonzero(ink.any(axis=1))
             last = ink[rows[0]:rows[0] + 9].any(axis=0)
-            self.assertGreaterEqual(np.ptp(np.flatnonzero(last)), least[1] - least[0] - 3, size)
+            self.assertGreaterEqual(np.ptp(np.flatnonzero(last)), least[1] - least[0] - 6, size)
 
     def test_keys_are_stacked(self):
         key = self.scene(TimeScale=300.0)

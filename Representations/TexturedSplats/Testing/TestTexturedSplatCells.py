@@ -9,10 +9,12 @@ from nephoscope_testing import meshes
 from nephoscope_testing.checks import ImageTestCase
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant
-from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_QUADRATIC_HEXAHEDRON, vtkBiQuadraticQuadraticHexahedron, vtkBiQuadraticQuadraticWedge, vtkQuadraticHexahedron,
+from vtkmodules.vtkCommonDataModel import (VTK_HEXAHEDRON, VTK_QUADRATIC_HEXAHEDRON, vtkBiQuadraticQuadraticHexahedron, vtkBiQuadraticQuadraticWedge, vtkPiecewiseFunction,
+                                           vtkQuadraticHexahedron,
                                            vtkQuadraticLinearWedge, vtkStructuredGrid, vtkTriQuadraticHexahedron)
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkRenderingCore import vtkVolumeProperty
 
 COLORS = Transfer([(0, 1, 0.2, 0.1), (1, 0.1, 0.3, 1)], [(0, 0.4), (1, 1.6)])
 EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))  # of a hexahedron, in the order of their middles
