@@ -146,11 +146,11 @@ ColoredArray ActiveScalars(vtkPVDataInformation* data)
 ColoredArray ColoredBy(vtkSMProxy* display)
 {
   const vtkSMPropertyHelper colored(display, "ColorArrayName", true);
-  if (colored.GetNumberOfElements() != 5 || !colored.GetAsString(4))
+  if (colored.GetNumberOfElements() != 5 || !colored.GetInputArrayNameToProcess())
   {
     return {};
   }
-  return { colored.GetAsString(4), colored.GetAsInt(3) };
+  return { colored.GetInputArrayNameToProcess(), colored.GetInputArrayAssociation() };
 }
 
 // White smoke cannot be seen on the palette's background if that is bright.

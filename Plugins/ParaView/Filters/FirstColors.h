@@ -19,7 +19,7 @@ namespace nephoscope
 void colorFirst(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const std::string& how);
 
-/** By the active scalars, with a preset that is in their unit: its range stays, except that smoke alone in its view reaches white. */
+/** Gives the array that colours the display a preset that is in its unit: its range stays, except that smoke alone in its view reaches white. */
 void colorByPreset(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset);
 

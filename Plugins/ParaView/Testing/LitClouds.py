@@ -35,9 +35,21 @@ def lit(source, **options):
     return (abs(picture - picture[0, 0]).max(axis=2) > 8).mean(), sentences()
 
 
+def check_first_colours(source):
+    """Light is shown by its own array, although a new display takes over the colours of its input."""
+    view = new_view(SIZE, BACKGROUND)
+    optics = pvs.CloudOptics(Input=source)
+    pvs.ColorBy(pvs.Show(optics, view), ("POINTS", "Extinction"))
+    pvs.Hide(optics, view)
+    colours = pvs.Show(pvs.Sunlight(Input=optics), view).ColorArrayName
+    check(colours[1] == "Sunlight", f"light is coloured by {colours[1]}")
+    pvs.Delete(view)
+
+
 def main():
     weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VOI=[0, 10**6] * 3, SampleRateI=6, SampleRateJ=6, SampleRateK=2)
     globe, flat = pvs.GlobeGrid(Input=weather, VerticalExaggeration=30), pvs.GlobeGrid(Input=weather, Projection="Map", VerticalExaggeration=30)
+    check_first_colours(flat)
     for name, source, options, words in (
             ("globe", globe, {}, []), ("map", flat, {}, []), ("tetrahedra of a globe", pvs.Tetrahedralize(Input=globe), {}, []),
             ("cells", pvs.PointDatatoCellData(Input=flat), {}, []),

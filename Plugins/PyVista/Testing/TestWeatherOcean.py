@@ -106,7 +106,6 @@ class Ocean(unittest.TestCase):
         with self.assertWarnsRegex(RuntimeWarning, "implausible"):
             roms(160000.0).nephoscope.globe()
 
-
     def test_terms_by_their_usual_names(self):
         """ROMS without formula_terms, by Vtransform."""
         for number in (1, 2):

@@ -117,7 +117,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     Every sample is a kernel in the shape of its grid cell, or a ball if there is no grid. Its extinction coefficient is opacity *
     `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats. A point on the boundary of a mesh
     has the part of its cell that lies inside, so that the mass is that of `add_cells`; the kernels blur the boundary over half a cell. The centres of
-    tetrahedra are no even lattice, so that splats of their cell arrays show as dots where there are few along the line of sight: draw these by `add_cells`, or pass
+    tetrahedra are not evenly spaced: splats of their cell arrays show as dots where few of them lie along the line of sight. Draw these by `add_cells`, or pass
     ``radius_factor=1.25``.
 
     Parameters

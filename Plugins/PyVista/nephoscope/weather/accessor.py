@@ -282,11 +282,12 @@ class WeatherAccessor:
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
         if self._is_flat(options):
             return self._plotted_flat(scalars, screenshot, new_plotter, view, look, vertical_exaggeration, {"time": time, **options})
+        plot_other = lambda dataset: WeatherAccessor(dataset).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, **look, **options)  # noqa: E731
         if (section := as_section(self._dataset)) is not self._dataset:
-            return WeatherAccessor(section).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, **look, **options)
+            return plot_other(section)
         refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", "background", *LOOK_OF_PLOT))
         if "sun" not in look and (level := self._of_one_level(scalars, time, options)) is not None:
-            return WeatherAccessor(level).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, **look, **options)
+            return plot_other(level)
         found, of_field = self._of_field(scalars, time, options)
         lit = "sun" in look  # needs all water and the air
         make = lambda factor: self.globe(time=time, vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731

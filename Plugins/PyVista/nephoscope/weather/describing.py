@@ -10,9 +10,9 @@ import numpy as np
 
 from .air import Air
 from .horizontal import GridError
+from .land import may_have_zeros
 from .reading import Reading
 from .roles import ROLES
-from .sea import may_have_zeros
 from .times import listed_times
 from .units import UnitsError
 from .winds import winds

@@ -13,9 +13,9 @@ from .._checks import listed
 from .._pipeline import level_of_caller
 from .horizontal import GridError, find_horizontal, is_latitude, is_longitude
 from .helpers import helpers
+from .land import SEA_MASKS, zeros_of_land
 from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
-from .sea import SEA_MASKS, zeros_of_land
 from .stagger import to_centres
 from .times import choose_time, is_member, time_dims
 from .units import UnitsError, converted, in_fractions, knows, plain, without_fill_values
