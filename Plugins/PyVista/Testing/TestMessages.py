@@ -96,7 +96,7 @@ class Messages(unittest.TestCase):
         for what, call in FAILURES.items():
             with self.subTest(what), self.assertRaises((RuntimeError, ValueError)) as caught:
                 call()
-            text = str(caught.exception)
+            text = str(caught.exception).replace(__file__, "a file")  # whose folder may have a long name
             self.assertLess(len(text), 400, text)
             self.assertNotRegex(text, r"0x[0-9a-f]{6}|Debug:|Modified Time|returned failure|vtkInformation")
             self.assertEqual(len(set(text.splitlines())), len(text.splitlines()), text)

@@ -182,10 +182,11 @@ class Refusals(unittest.TestCase):
         dataset = isothermal(LON, LAT)
         for plot, words in ((dataset.sel(lon=45).nephoscope.globe, r"section at one longitude, 45.*at least two longitudes, .*ds.sel\(lon=slice"), (dataset.sel(lat=20).nephoscope.globe, "section at one latitude, 20"),
                             (dataset.sel(lon=[45]).isel(plev=[0]).nephoscope.plot, "a line or a single point, 1 x 17 x 1 .*two levels"), (dataset.sel(lat=[20]).isel(plev=0).nephoscope.plot, "a line or a single point, 24 x 1 x 1"),
-                            (dataset.isel(lon=slice(0, 0)).nephoscope.plot, "selection is empty: 'lon' has no entry"), (dataset.sel(lat=slice(50, 20)).nephoscope.describe, "selection is empty: 'lat'.*direction of its axis"),
+                            (dataset.isel(lon=slice(0, 0)).nephoscope.plot, "selection is empty: 'lon' has no entry"), (dataset.sel(lat=slice(50, 20)).nephoscope.globe, "selection is empty: 'lat'.*direction of its axis"),
                             (dataset.isel(plev=slice(0, 0)).ta.nephoscope.globe, "selection is empty: 'plev'")):
             with self.subTest(words):
                 self.raises(words, plot)
+        self.assertRegex(dataset.sel(lat=slice(50, 20)).nephoscope.describe(), "^not recognized: The selection is empty: 'lat'")
         self.assertEqual(dataset.sel(lon=[45]).nephoscope.globe().dimensions, (1, 17, 4))  # a mesh for other pictures
 
     def test_an_array_alone(self):

@@ -202,6 +202,6 @@ TEST(SplatCost, IsToldOfVeryManySplats)
 {
   EXPECT_EQ(nephoscope::TellSplatCost(1000000), "");
   const std::string told = nephoscope::TellSplatCost(12000000);
-  EXPECT_EQ(told.find("12.0 million splats take about 3.4 GB"), 0u);
+  EXPECT_EQ(told.find("12.0 million splats take about 3.0 GB"), 0u);
   EXPECT_NE(told.find("ErrorTolerance"), std::string::npos);
 }
