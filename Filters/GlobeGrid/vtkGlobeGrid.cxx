@@ -3,6 +3,7 @@
 #include "vtkGlobeGrid.h"
 
 #include "EmptyInput.h"
+#include "FillValues.h"
 #include "GlobeGridBuilder.h"
 #include "InputBlocks.h"
 #include "MessageSuppression.h"
@@ -328,6 +329,11 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
     for (const std::string& warning : builder.Warnings())
     {
       vtkWarningMacro(<< nephoscope::inBlock(this, input) << warning);
+    }
+    const std::string fillValues = nephoscope::DescribeFillValues(input);
+    if (!fillValues.empty())
+    {
+      vtkWarningMacro(<< nephoscope::inBlock(this, input) << fillValues);
     }
   }
   return true;

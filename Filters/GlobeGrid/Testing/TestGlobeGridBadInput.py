@@ -87,6 +87,17 @@ class BadInput(unittest.TestCase):
         x, y, z = gf.mesh(LON, LAT, LEV)
         self.expect(gf.structured(x[:7], y[:7], z[:7], (3, 2, 2)), "The grid has 7 values for 12 points")
 
+    def test_fill_values(self):
+        """Usual fill values are told with array and number, unless they may be data."""
+        size = len(LON) * len(LAT) * len(LEV)
+        first = np.arange(size) == 0
+        for values, told in ((np.where(first, -999.0, 0.5), "1 values of 'x' are -999"), (np.where(~first, -9999.0, -80.0), f"{size - 1} values of 'x' are -9999"),
+                             (np.where(first, -999.0, -600.0), ""), (np.where(first, -998.0, 0.5), ""), (np.full(size, -999.0), "")):
+            made = gf.globe(gf.rectilinear(LON, LAT, LEV, {"x": values}), quiet=False)
+            told_of = [m for m in made.messages if "fill value" in m]
+            self.assertEqual(len(told_of), bool(told), made.messages)
+            self.assertTrue(not told or told in told_of[0], told_of)
+
     def test_settings(self):
         self.expect(self.grid(), "PlanetRadius", PlanetRadius=0.0)
         self.expect(self.grid(), "VerticalExaggeration", VerticalExaggeration=-1.0)

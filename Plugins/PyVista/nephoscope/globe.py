@@ -32,6 +32,7 @@ _NAMES = {"Set HeightUnits if 'geometric_height' is a geopotential (m2 s-2) or i
           "switch VerticalWindIsOmega on": "pass vertical_wind_is_omega=True", "PlanetRadius": "radius",
           "VerticalExaggeration": "vertical_exaggeration", "(Extract Subset)": "(extract_subset)",
           "or set its name empty to say so": "or leave it out of wind",
+          "Turn on Replace Fill Value With Nan of the NetCDF reader, or replace the values by NaN": "Replace the values by numpy.nan",
           "with the NetCDF CF reader switch 'Spherical Coordinates' off": "read the file by nephoscope.read_cf"}
 GAPS_ARE_TOLD = "nephoscope_gaps_are_told"  # field array of a mesh whose reader has warned of points without a height
 IS_SEA = "nephoscope_is_sea"  # field array of a mesh whose heights are known to be below the sea
