@@ -5,6 +5,7 @@
 #include "CellKinds.h"
 #include "CellMoments.h"
 #include "CellTaper.h"
+#include "CornerShares.h"
 #include "HigherOrderCells.h"
 #include "PointPlaces.h"
 
@@ -23,10 +24,6 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double sphere = 12.566370614359172;
-constexpr double lattice = 1.0 / 8; // the angle of a hexahedron's corner
-constexpr double circle = 6.283185307179586;
-
 // The shares of one cell for its corners, and the whole cell.
 class ShareFinder
 {
@@ -111,6 +108,14 @@ private:
     return x;
   }
 
+  HexahedronCorners CornersAt(const vtkIdType* points) const
+  {
+    HexahedronCorners x;
+    std::transform(
+      points, points + 8, x.begin(), [this](vtkIdType point) { return this->Place(point); });
+    return x;
+  }
+
   void Give(vtkIdType point, const CellShare& share)
   {
     if (!this->OnCells)
@@ -123,14 +128,16 @@ private:
     this->Found.Shares[static_cast<std::size_t>(this->Id)].Add(whole);
   }
 
-  // Where there is no other cell, the sample is nothing.
-  void GiveNothing(const vtkIdType* points, int count)
+  // `edge`: of a cube or square of the cell's size; `squares`: of its length. Cells without an extent give nothing.
+  void GiveAll(
+    double edge, double squares, const vtkIdType* points, const CellShare* shares, int count)
   {
     CellShare nothing;
     nothing.Dimension = 1;
+    const bool empty = std::isfinite(edge) && !HasExtent(edge, std::sqrt(squares), this->Rounding);
     for (int i = 0; i < count; ++i)
     {
-      this->Give(points[i], nothing);
+      this->Give(points[i], empty ? nothing : shares[i]);
     }
   }
 
@@ -151,40 +158,9 @@ private:
       this->Whole.AddTetrahedron(x[c[0]], x[c[1]], x[c[2]], x[c[3]], times);
     }
     const double volume = this->Whole.GetSize() - before;
-    SplatMatrix edges[8] = {};
-    double angles[8], all = 0, squares = 0;
-    for (int i = 0; i < kind.Corners; ++i)
-    {
-      Vector3 e[3];
-      for (int k = 0; k < 3; ++k)
-      {
-        e[k] = x[kind.Neighbors[i][k]] - x[i];
-        AddOuterProduct(edges[i], e[k]);
-        squares += dot(e[k], e[k]) / kind.Corners;
-      }
-      angles[i] = times * SolidAngle(e[0], e[1], e[2]) / sphere;
-      all += angles[i];
-    }
-    if (std::isfinite(volume) && !HasExtent(std::cbrt(volume), std::sqrt(squares), this->Rounding))
-    {
-      this->GiveNothing(points, kind.Corners);
-      return;
-    }
-    for (int i = 0; i < kind.Corners && all > 0; ++i)
-    {
-      // Corners of tetrahedra have shares by their angles: what falls to a point then depends little on how space is cut into them.
-      const double even = all / kind.Corners;
-      CellShare share;
-      share.Dimension = 3;
-      share.Angle = angles[i];
-      share.Tetrahedra = kind.Corners == 4;
-      share.MeanAngle = kind.Corners == 4 ? angles[i] : even;
-      share.LatticeAngle =
-        kind.Corners == 6 ? 0.5 * (angles[i] + angles[(i + 3) % 6]) : share.MeanAngle;
-      share.Size = volume * (weights ? weights[i] : share.MeanAngle / all);
-      AddWeighted(share.Edges, edges[i], share.MeanAngle);
-      this->Give(points[i], share);
-    }
+    CellShare shares[8];
+    const double squares = SharesOfSolid(kind, x, volume, times, weights, shares);
+    this->GiveAll(std::cbrt(volume), squares, points, shares, kind.Corners);
   }
 
   void AddRings(const CellKind& kind, const vtkIdType* points)
@@ -207,52 +183,14 @@ private:
     }
   }
 
-  // Without points in its faces and its middle, its parts would leave gaps there. Its corners, and the middles of its edges along each axis, are four lattices, each
-  // with one sample for each cell: each sample has the shape of a whole cell, and a quarter of its volume. Curved edges count as straight ones.
   void AddQuadraticHexahedron()
   {
     const vtkIdType* p = this->Points->GetPointer(0);
-    Vector3 x[8];
-    for (int i = 0; i < 8; ++i)
-    {
-      x[i] = this->Place(p[i]);
-    }
-    const double volume = momentsOf(hexahedron, x).GetSize();
-    SplatMatrix edges[8] = {};
-    double squares = 0;
-    for (int i = 0; i < 8; ++i)
-    {
-      for (const int next : hexahedron.Neighbors[i])
-      {
-        AddOuterProduct(edges[i], x[next] - x[i]);
-        squares += dot(x[next] - x[i], x[next] - x[i]) / 8;
-      }
-    }
-    if (std::isfinite(volume) && !HasExtent(std::cbrt(volume), std::sqrt(squares), this->Rounding))
-    {
-      this->GiveNothing(p, 20);
-      return;
-    }
-    const auto give = [&](vtkIdType point, double part, const SplatMatrix& here) {
-      CellShare share;
-      share.Dimension = 3;
-      share.Angle = share.MeanAngle = share.LatticeAngle = part;
-      share.Size = 0.25 * part * volume;
-      share.Overlaps = true;
-      AddWeighted(share.Edges, here, part);
-      this->Give(point, share);
-    };
-    for (int i = 0; i < 8; ++i)
-    {
-      give(p[i], lattice, edges[i]);
-    }
-    for (int i = 0; i < 12; ++i)
-    {
-      SplatMatrix both{};
-      AddWeighted(both, edges[hexahedronEdges[i][0]], 0.5);
-      AddWeighted(both, edges[hexahedronEdges[i][1]], 0.5);
-      give(p[8 + i], 2 * lattice, both);
-    }
+    const auto x = this->CornersAt(p);
+    const double volume = momentsOf(hexahedron, x.data()).GetSize();
+    CellShare shares[20];
+    const double squares = SharesOfQuadraticHexahedron(x, volume, shares);
+    this->GiveAll(std::cbrt(volume), squares, p, shares, 20);
     for (int i = 0; i < 20 && !this->Found.Rings.empty(); ++i)
     {
       this->Found.Rings[static_cast<std::size_t>(PlaceOfPoint(this->Places, p[i]))].Break();
@@ -289,53 +227,15 @@ private:
         return;
       }
     }
-    double weights[8];
-    if (!this->OnCells) // to which all of it falls
-    {
-      this->FindOctants(p, weights);
-    }
-    this->AddSolid(hexahedron, p, 1, this->OnCells ? nullptr : weights);
+    // All of it falls to a sample on the cell.
+    const auto weights = OctantsOfHexahedron(this->CornersAt(p));
+    this->AddSolid(hexahedron, p, 1, this->OnCells ? nullptr : weights.data());
     this->AddTaper(p);
-  }
-
-  // The part of a hexahedron's volume that is nearest to each of its corners, by the volume that its edges span in the middle of that part.
-  void FindOctants(const vtkIdType* p, double weights[8])
-  {
-    constexpr double threes[4] = { 1, 3, 9, 27 };
-    double spanned[8], sum = 0;
-    for (int i = 0; i < 8; ++i)
-    {
-      const Vector3 x = this->Place(p[i]);
-      const int* next = hexahedron.Neighbors[i];
-      spanned[i] = std::abs(tripleProduct(
-        this->Place(p[next[0]]) - x, this->Place(p[next[1]]) - x, this->Place(p[next[2]]) - x));
-    }
-    for (int i = 0; i < 8; ++i)
-    {
-      weights[i] = 0;
-      for (int j = 0; j < 8; ++j)
-      {
-        // One after the other around each of both ends, so that corners that differ by 2 there are across from each other.
-        const int around = (i - j) & 3;
-        const int steps = (around == 2 ? 2 : around & 1) + int(i / 4 != j / 4);
-        weights[i] += spanned[j] * threes[3 - steps];
-      }
-      sum += weights[i];
-    }
-    for (int i = 0; i < 8; ++i)
-    {
-      weights[i] = sum > 0 && std::isfinite(sum) ? weights[i] / sum : 1.0 / 8;
-    }
   }
 
   void AddTaper(const vtkIdType* p)
   {
-    Vector3 x[8];
-    for (int i = 0; i < 8; ++i)
-    {
-      x[i] = this->Place(p[i]);
-    }
-    const CellTaper taper(x);
+    const CellTaper taper(this->CornersAt(p).data());
     if (!taper.ReachesApex())
     {
       return;
@@ -349,7 +249,7 @@ private:
     for (int i = 0; i < 8; ++i)
     {
       const auto place = static_cast<std::size_t>(PlaceOfPoint(this->Places, p[i]));
-      this->AddNeed(place, taper.AtCorner(i), lattice);
+      this->AddNeed(place, taper.AtCorner(i), angleInLattice);
     }
   }
 
@@ -372,39 +272,13 @@ private:
   // A cell of two dimensions, one edge after the other.
   void AddPolygon(const std::vector<vtkIdType>& points)
   {
-    const std::size_t count = points.size();
-    double area = 0, squares = 0;
-    const Vector3 first = this->Place(points[0]);
-    for (std::size_t i = 2; i < count; ++i)
-    {
-      area += 0.5 * norm(cross(this->Place(points[i - 1]) - first, this->Place(points[i]) - first));
-      squares =
-        std::max(squares, dot(this->Place(points[i]) - first, this->Place(points[i]) - first));
-    }
-    if (std::isfinite(area) && !HasExtent(std::sqrt(area), std::sqrt(squares), this->Rounding))
-    {
-      this->GiveNothing(points.data(), static_cast<int>(count));
-      return;
-    }
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const Vector3 x = this->Place(points[i]);
-      const Vector3 a = this->Place(points[(i + 1) % count]) - x;
-      const Vector3 b = this->Place(points[(i + count - 1) % count]) - x;
-      CellShare share;
-      share.Dimension = 2;
-      share.Size = area / static_cast<double>(count);
-      share.Angle = std::atan2(norm(cross(a, b)), dot(a, b)) / circle;
-      share.MeanAngle = 0.5 * (static_cast<double>(count) - 2) / static_cast<double>(count);
-      share.LatticeAngle = count == 3 ? share.Angle : share.MeanAngle;
-      SplatMatrix edges{}, normals{};
-      AddOuterProduct(edges, a);
-      AddOuterProduct(edges, b);
-      AddOuterProduct(normals, normalized(cross(a, b)));
-      AddWeighted(share.Edges, edges, share.MeanAngle);
-      AddWeighted(share.Normals, normals, share.Size);
-      this->Give(points[i], share);
-    }
+    std::vector<Vector3> x(points.size());
+    std::transform(points.begin(), points.end(), x.begin(),
+      [this](vtkIdType point) { return this->Place(point); });
+    std::vector<CellShare> shares(points.size());
+    const SurfaceExtent extent = SharesOfPolygon(x, shares);
+    this->GiveAll(std::sqrt(extent.Area), extent.Squares, points.data(), shares.data(),
+      static_cast<int>(points.size()));
   }
 
   // Other cells are tetrahedra or triangles.
@@ -474,56 +348,6 @@ CellShares FindCellShares(vtkDataSet* data, bool onCells, const std::vector<vtkI
     }
   }
   return found;
-}
-
-namespace
-{
-// Null for other types; tetrahedra and voxels have the mean of their corners.
-const CellKind* kindOf(int type)
-{
-  return type == VTK_HEXAHEDRON ? &hexahedron
-    : type == VTK_WEDGE         ? &wedge
-    : type == VTK_PYRAMID       ? &pyramid
-                                : nullptr;
-}
-}
-
-Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id)
-{
-  vtkNew<vtkIdList> corners;
-  data->GetCellPoints(id, corners);
-  if (const CellKind* kind = kindOf(data->GetCellType(id)))
-  {
-    Vector3 x[8];
-    for (int i = 0; i < kind->Corners; ++i)
-    {
-      data->GetPoint(corners->GetId(i), x[i].data());
-    }
-    const CellMoments moments = momentsOf(*kind, x);
-    if (moments.GetSize() > 0 && std::isfinite(moments.GetSize()))
-    {
-      return moments.GetCenter();
-    }
-  }
-  std::vector<Vector3> places;
-  for (const vtkIdType corner : *corners)
-  {
-    Vector3 x;
-    data->GetPoint(corner, x.data());
-    if (std::find(places.begin(), places.end(), x) == places.end())
-    {
-      places.push_back(x);
-    }
-  }
-  Vector3 sum{};
-  for (const Vector3& x : places)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      sum[c] += x[c] / static_cast<double>(places.size());
-    }
-  }
-  return sum;
 }
 
 } // namespace nephoscope

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What every cell gives to its corners, or to itself; its middle. */
+/** What every cell of a mesh gives to its corners, or to itself. */
 #ifndef CellShares_h
 #define CellShares_h
 
@@ -39,9 +39,6 @@ SplatMatrix SymmetricMatrix(const std::array<float, size>& m)
 {
   return { { { { m[0], m[1], m[2] } }, { { m[1], m[3], m[4] } }, { { m[2], m[4], m[5] } } } };
 }
-
-/** The centre of mass of a cell; where it has no volume, or another type, the mean of its corners, each place once: the edge of a hexahedron may have no length. */
-Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id);
 
 } // namespace nephoscope
 

@@ -55,7 +55,7 @@ class CellTaper
 {
 public:
   // Corners in the order of VTK_HEXAHEDRON.
-  explicit CellTaper(const Vector3 (&corners)[8])
+  explicit CellTaper(const Vector3* corners)
   {
     // Per direction, the edges between the corners at the low and at the high end of each other direction.
     for (std::size_t n = 0; n < 3; ++n)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatNeedles.h"
 
+#include "CellCenter.h"
 #include "CellSamples.h"
 #include "CellShape.h"
 #include "SplatMatrix.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatShapes.h"
 
+#include "CellCenter.h"
 #include "EllipsoidSplat.h"
 #include "HiddenSamples.h"
 #include "NeighborSpacing.h"
