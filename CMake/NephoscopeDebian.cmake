@@ -23,8 +23,9 @@ foreach (folder IN ITEMS Filters Representations Plugins Testing Data CMake)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}/" DESTINATION "${nephoscope_debian_documents}/${folder}" FILES_MATCHING PATTERN "*.md" PATTERN build EXCLUDE)
 endforeach ()
 # What the Python package and the reader of weather data name in their messages about missing packages.
-install(FILES "${PROJECT_SOURCE_DIR}/Plugins/PyVista/requirements.txt" "${PROJECT_SOURCE_DIR}/Plugins/PyVista/requirements-data.txt"
-  DESTINATION share/nephoscope)
+foreach (packages IN ITEMS requirements requirements-data requirements-grib requirements-netcdf requirements-zarr)
+  install(FILES "${PROJECT_SOURCE_DIR}/Plugins/PyVista/${packages}.txt" DESTINATION share/nephoscope)
+endforeach ()
 
 # With it ParaView 5.11 keeps unstructured data between ranks in spite of a recent libexpat (Documentation/debian.md).
 if (TARGET expat_whole_tokens)

@@ -6,7 +6,7 @@
 SYSTEM_PYTHON=/usr/bin/python3
 REQUIREMENTS="$TOP/Plugins/PyVista/requirements.txt"
 WEB_REQUIREMENTS="$TOP/Plugins/PyVista/requirements-web.txt"
-DATA_REQUIREMENTS="$TOP/Plugins/PyVista/requirements-data.txt"
+DATA_REQUIREMENTS="$TOP/Plugins/PyVista/requirements-data.txt" # and the files that it names
 export NEPHOSCOPE_VENV="$TOP/build/venv"
 
 venv_is_current() { cmp -s "$REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements.txt"; }
@@ -51,18 +51,20 @@ ensure_venv()
   fi
 }
 
+data_requirements() { cat "${DATA_REQUIREMENTS%data.txt}"{data,grib,netcdf,zarr}.txt; }
+
 make_data()
 {
   PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_ROOT_USER_ACTION=ignore "$NEPHOSCOPE_VENV/bin/python3" -m pip install \
     --no-input --no-deps --retries 1 --timeout 15 -r "$DATA_REQUIREMENTS" &&
-    cp "$DATA_REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements-data.txt"
+    data_requirements > "$NEPHOSCOPE_VENV/requirements-data.txt"
 }
 
 # What GRIB, NetCDF and Zarr need by way of xarray, in the environment of ensure_venv. Without it the rest still works.
 ensure_data()
 {
   venv_is_current || return 0
-  if ! cmp -s "$DATA_REQUIREMENTS" "$NEPHOSCOPE_VENV/requirements-data.txt" && ! run_logged data make_data; then
+  if ! data_requirements | cmp -s - "$NEPHOSCOPE_VENV/requirements-data.txt" && ! run_logged data make_data; then
     note "xarray and eccodes could not be installed (build/logs/data.log says why); going on without them"
   fi
 }

@@ -20,6 +20,28 @@ write_grib(sys.argv[1], fields, REGULAR)
 """
 
 
+def files(folder):
+    """Files that cannot be read: name, and what is told in ParaView's words."""
+    contents = {"empty.nc": (b"", "is empty: copy or download"), "mesh.vtu": (b"<VTKFile type='UnstructuredGrid'>", "is a mesh. Open it with one of ParaView's own readers."),
+                "gfs.grib2.gz": (b"\x1f\x8b\x08" + bytes(20), "compressed by gzip. Unpack it: gunzip gfs.grib2.gz."), "a.nc": (bytes(range(40)), "neither GRIB nor NetCDF nor Zarr"),
+                "p.tif": (b"II*\0" + bytes(9), "GeoTIFF. Convert it to NetCDF"), "table.csv": (b"lat,lon\n1,2\n", "ParaView's reader of delimited text")}
+    for name, (content, words) in contents.items():
+        with open(os.path.join(folder, name), "wb") as file:
+            file.write(content)
+        yield name, words
+    os.mkdir(os.path.join(folder, "some"))
+    yield from (("nothing.nc", "There is no file"), ("some", "is a folder, and no Zarr store: choose a file in it."))
+
+
+def refused(read, path, words):
+    try:
+        read(path)
+    except RuntimeError as problem:
+        assert words in str(problem) and "pyvista" not in str(problem) and "pip" not in str(problem), problem
+    else:
+        raise AssertionError(f"{path} was read")
+
+
 def told(reader, path, folder, window):
     """What the window says of a file that is not whole, and of a Python that is not there."""
     broken = os.path.join(folder, "broken.grib2")
@@ -38,7 +60,9 @@ def told(reader, path, folder, window):
             raise AssertionError("a file that is not whole was read")
     reader.FileName = path
     assert check(reader) is reader and reader.GetDataInformation().GetNumberOfPoints() > 0
-    os.environ["NEPHOSCOPE_PYTHON"] = "/nowhere/python3"
+    os.environ["NEPHOSCOPE_PYTHON"] = "/nowhere/python3"  # so the files are looked at before Python starts
+    for name, words in files(folder):
+        refused(read, os.path.join(folder, name), words)
     view = CreateRenderView()
     Show(globals()["WeatherDataReader"](FileName=path), view)
     Render(view)

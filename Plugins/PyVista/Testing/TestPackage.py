@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -87,16 +88,37 @@ class Package(unittest.TestCase):
 
     @unittest.skipIf(IN_WHEEL, "a wheel has a remedy of its own")
     def test_missing_weather_packages(self):
-        """The reader in ParaView names requirement files that are there: those of the source, or those of the Debian package."""
+        """The reader in ParaView names the packages of the file's format, requirement files that are there (those of the source, or of the Debian package), and ParaView's own reader."""
+        weather = nephoscope.sample_data("gfs_2p5deg_2011101100.nc")
         ask = ("from nephoscope import samples\nsamples.shared = {}\nfrom nephoscope.weather import paraview_plugin\n"
-               "paraview_plugin.PACKAGES = ('missing_one',)\nprint(paraview_plugin.missing_packages('/usr/bin/python3'))")
-        files = "-r {0}requirements.txt -r {0}requirements-data.txt"
-        self.assertRegex(run(ask.format("samples.shared")).stdout, "missing_one are missing. Install them: /usr/bin/python3 -m pip install --no-deps " +
-                         files.format("\\S*Plugins/PyVista/"))
-        debian = run(ask.format("'/usr/share/nephoscope/{}'.format")).stdout
-        self.assertIn("nephoscope-python/bin/python -m pip install --no-deps " + files.format("/usr/share/nephoscope/"), debian)
+               "print(paraview_plugin.missing_packages('{}', {!r}), paraview_plugin.MADE == samples.OWN_PYTHON)")
+        bare = Path(self.enterContext(tempfile.TemporaryDirectory()), "python")
+        bare.write_text("#!/bin/sh\nexec /usr/bin/python3 -I -S \"$@\"\n")  # without packages
+        bare.chmod(0o755)
+        own = run(ask.format("samples.shared", bare, weather)).stdout
+        self.assertRegex(own, r"packages for NetCDF that .* does not have: nephoscope, pyvista, xarray, netCDF4\. ParaView can draw this file without them: .*'netCDF files generic and CF "
+                              r"conventions'.*Spherical Coordinates off.*Globe Grid")
+        files = "-r {0}requirements.txt -r {0}requirements-netcdf.txt"
+        self.assertRegex(own, f"{bare} -m pip install --no-deps " + files.format("\\S*Plugins/PyVista/") + "\n")
+        debian = run(ask.format("'/usr/share/nephoscope/{}'.format", bare, weather)).stdout
+        self.assertIn("nephoscope-python/bin/python -m pip install --no-deps " + files.format("/usr/share/nephoscope/") + "\n", debian)
         self.assertIn("apt install python3-venv && python3 -m venv --system-site-packages ~/nephoscope-python", debian)
-        self.assertIn("use ~/nephoscope-python/bin/python as NEPHOSCOPE_PYTHON", debian)
+        self.assertTrue(debian.endswith("True\n"), debian)
+        grib = bare.with_name("a.grib2")
+        grib.write_bytes(b"GRIB\0\0\0\2" + bytes(99))
+        told = run(ask.format("samples.shared", bare, str(grib))).stdout
+        self.assertRegex(told, "for GRIB .* nephoscope, pyvista, xarray, eccodes.*requirements-grib.txt\n")
+        self.assertNotIn("can draw this file", told)
+
+    @unittest.skipIf(IN_WHEEL, "no requirement files")
+    def test_requirements_of_formats(self):
+        """The files of the formats are in that of all, and every package has one version."""
+        folder = Path(__file__).resolve().parent.parent
+        lines = {path.stem: [line for line in path.read_text().splitlines() if line and line[0] != "#"] for path in folder.glob("requirements-*.txt")}
+        self.assertLess(len(lines["requirements-netcdf"]), 10)
+        self.assertLessEqual({"-r requirements-grib.txt", "-r requirements-zarr.txt"}, {*lines["requirements-data"]})
+        named = [line for name in ("data", "grib", "netcdf", "zarr") for line in lines[f"requirements-{name}"] if not line.startswith("-r ")]
+        self.assertEqual(len(named), len({*named}))
 
     def test_help_of_the_command_needs_no_pyvista(self):
         start = WITHOUT_PYVISTA + "import runpy, sys\nsys.argv = ['nephoscope-viewer', {!r}]\nrunpy.run_module('nephoscope', run_name='__main__')"

@@ -13,10 +13,7 @@ import pyvista
 from ._blocks import alike, cell_dimension, named_blocks
 from ._checks import listed
 from ._pipeline import level_of_caller
-
-# Names of files that pyvista.read reads as meshes; NetCDF, HDF5 and GRIB are weather here.
-ENDINGS = frozenset(".vtk .vtu .vtp .vts .vtr .vti .vtm .vtmb .pvtu .pvtp .pvts .pvtr .pvti .pvtk .vtkhdf .pvd .case .encas .foam .cgns .e .ex2 .exo .exii "
-                    ".msh .cas .inp .ply .stl .obj .xdmf .xmf .hdr .mha .mhd .nrrd".split())
+from .weather.foreign import ENDINGS
 
 
 def are_mesh_files(path: Any) -> bool:

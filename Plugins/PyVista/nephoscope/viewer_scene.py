@@ -16,7 +16,6 @@ import pyvista
 from ._blocks import cell_dimension
 from ._fields import is_helper, presets
 from ._medium import wrapped
-from ._mesh_files import ENDINGS
 from .cells import add_cells
 from .cloud_texture import add_cloud_texture
 from .clouds import cloud_surface
@@ -28,7 +27,7 @@ from .sparse import read_vdb
 from .splats import add_splats
 from .terrain import add_terrain, terrain_surface
 from .viewer_state import Choices, View
-from .weather.foreign import first_bytes, format_of, refusal
+from .weather.foreign import ENDINGS, first_bytes, format_of, refusal
 
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
 READS = "The viewer draws NetCDF, .vdb, and the files of meshes that pyvista.read reads, such as .vtu and .vti."

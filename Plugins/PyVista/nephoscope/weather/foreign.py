@@ -7,8 +7,9 @@ import re
 from pathlib import Path
 from zipfile import BadZipFile, ZipFile
 
-from .._mesh_files import ENDINGS
-
+# Names of files that PyVista and ParaView read as meshes; NetCDF, HDF5 and GRIB are weather here.
+ENDINGS = frozenset(".vtk .vtu .vtp .vts .vtr .vti .vtm .vtmb .pvtu .pvtp .pvts .pvtr .pvti .pvtk .vtkhdf .pvd .case .encas .foam .cgns .e .ex2 .exo .exii "
+                    ".msh .cas .inp .ply .stl .obj .xdmf .xmf .hdr .mha .mhd .nrrd".split())
 TO_NETCDF = "Convert it to NetCDF"
 TABLE = ("For a regular grid make a dataset, pandas.{read}(path).set_index(['lev', 'lat', 'lon']).to_xarray(), with the names of your columns, and pass that. "
          "Draw scattered points by nephoscope.add_splats(plotter, pyvista.PolyData(table[['x', 'y', 'z']].to_numpy())).")
@@ -26,6 +27,7 @@ STARTS = (  # first bytes: what they tell, and the remedy
 PP = (b"\x00\x00\x01\x00", b"\x00\x01\x00\x00")  # the length of a header, before and behind it
 GRIB_NAMES = (".grib", ".grib2", ".grb", ".grb2", ".gb2", ".gb", ".grib1", ".grb1")
 DAMAGED = (*GRIB_NAMES, ".nc", ".nc4", ".cdf", ".h5", ".he5", ".hdf5")  # if such a file holds text
+MESH, TABLE_FILE = "is a mesh", "is neither GRIB nor NetCDF, but a text file, perhaps a table"
 PAGE = (b"<!doctype html", b"<html", b"<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<error")
 
 
@@ -52,22 +54,29 @@ def first_bytes(path: Path) -> bytes:
 
 def described(path: Path, start: bytes) -> str:
     """A sentence that tells what the file is, and one with a remedy; empty if it is not known. `start`: its first bytes."""
+    what, remedy = identified(path, start)
+    return what and f"{path} {what}. {remedy}"
+
+
+def identified(path: Path, start: bytes) -> tuple[str, str]:
+    """What the file is, for example ``"is a PP file of the Met Office"``, and a remedy in Python; both empty if it is not known."""
     ending = path.suffix.lower()
-    found = next((f"is compressed by {name}. Unpack it: {program} {path.name}." for magic, name, program in COMPRESSED if start.startswith(magic)), None)
-    if found is None and start.lstrip()[:64].lower().startswith(PAGE):
-        found = "is a web page, not data: the download has failed, for example because it needs a login. Look at it in a browser."
-    if found is None and start[:4] in PP and start[260:264] == start[:4]:
-        found = f"is a PP file of the Met Office. {IRIS}"
-    if found is None and b"BUFR" in start[:4096]:
-        found = ("is BUFR, which holds observations at single places. Read them into a table by pdbufr (pip install pdbufr), and draw them as points: "
-                 "nephoscope.add_splats(plotter, pyvista.PolyData(...)).")
-    if found is None:
-        found = next((f"is {what}. {remedy}" for magics, what, remedy in STARTS if start.startswith(magics)), None)
-    if found is None and (ending in ENDINGS or start.startswith((b"# vtk DataFile", b"<VTKFile"))):
-        found = f"is a mesh. Read it by pyvista.read({str(path)!r}), and draw it by nephoscope.add_cells or add_splats."
-    if found is None and _is_text(start) and ending not in DAMAGED:
-        found = _of_text(start, ending)
-    return "" if found is None else f"{path} {found}"
+    compressed = next(((f"is compressed by {name}", f"Unpack it: {program} {path.name}.") for magic, name, program in COMPRESSED if start.startswith(magic)), None)
+    if compressed is not None:
+        return compressed
+    if start.lstrip()[:64].lower().startswith(PAGE):
+        return "is a web page, not data", "The download has failed, for example because it needs a login. Look at it in a browser."
+    if start[:4] in PP and start[260:264] == start[:4]:
+        return "is a PP file of the Met Office", IRIS
+    if b"BUFR" in start[:4096]:
+        return "is BUFR, which holds observations at single places", ("Read them into a table by pdbufr (pip install pdbufr), and draw them as points: "
+                                                                      "nephoscope.add_splats(plotter, pyvista.PolyData(...)).")
+    known = next(((f"is {what}", remedy) for magics, what, remedy in STARTS if start.startswith(magics)), None)
+    if known is not None:
+        return known
+    if ending in ENDINGS or start.startswith((b"# vtk DataFile", b"<VTKFile")):
+        return MESH, f"Read it by pyvista.read({str(path)!r}), and draw it by nephoscope.add_cells or add_splats."
+    return _of_text(start, ending) if _is_text(start) and ending not in DAMAGED else ("", "")
 
 
 def _is_text(start: bytes) -> bool:
@@ -75,15 +84,15 @@ def _is_text(start: bytes) -> bool:
     return bool(part) and b"\0" not in part and sum(32 <= byte < 127 or byte in b"\t\r\n" or byte >= 128 for byte in part) == len(part)
 
 
-def _of_text(start: bytes, ending: str) -> str:
+def _of_text(start: bytes, ending: str) -> tuple[str, str]:
     text = start.decode("latin-1").lstrip().lower()
     if text.startswith("dset ") or "\ndset " in text:
-        return f"is a descriptor of GrADS. {TO_NETCDF} by CDO: cdo -f nc import_binary file.ctl file.nc. Then open that file."
+        return "is a descriptor of GrADS", f"{TO_NETCDF} by CDO: cdo -f nc import_binary file.ctl file.nc. Then open that file."
     if text.startswith("netcdf ") and "{" in text:
-        return "is the text form of NetCDF (CDL). Make the file: ncgen -o file.nc file.cdl."
+        return "is the text form of NetCDF (CDL)", "Make the file: ncgen -o file.nc file.cdl."
     if text.startswith("{"):
-        return "is JSON. If it has the references of kerchunk, open it by xarray.open_dataset(path, engine='kerchunk') (pip install kerchunk), and pass the dataset."
-    return f"is neither GRIB nor NetCDF, but a text file, perhaps a table. {TABLE.format(read='read_csv')}"
+        return "is JSON", "If it has the references of kerchunk, open it by xarray.open_dataset(path, engine='kerchunk') (pip install kerchunk), and pass the dataset."
+    return TABLE_FILE, TABLE.format(read="read_csv")
 
 
 def inside(path: Path) -> str:

@@ -3,11 +3,15 @@
 """A plugin of ParaView: the reader "Weather data (GRIB, Zarr, NetCDF, WRF, MPAS, ICON)".
 
 The compiled plugin has the reader: weather_data_reader.xml names the class below. Where there is no compiled plugin, load this file in Tools > Manage Plugins > Load New. A separate
-process, run by the Python that NEPHOSCOPE_PYTHON names, calls `nephoscope.open` (worker.py). If a Python package is missing there, the message has the command that installs it.
+process, run by the Python that NEPHOSCOPE_PYTHON names, calls `nephoscope.open` (worker.py). If a Python package that the file needs is missing there, the message has the command that
+installs it.
 """
+import importlib
+import importlib.util
 import json
 import os
 import subprocess
+import sys
 import tempfile
 
 from vtkmodules.vtkCommonCore import vtkDataArraySelection, vtkOutputWindow, vtkUnsignedCharArray
@@ -16,41 +20,58 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline 
 from vtkmodules.vtkIOLegacy import vtkDataSetReader
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 
-PACKAGES = ("pyvista", "xarray", "eccodes", "netCDF4", "zarr")
-NAME_ANOTHER = ("The environment variable NEPHOSCOPE_PYTHON names the Python that reads the data, for example export NEPHOSCOPE_PYTHON=~/nephoscope-python/bin/python; set it "
-                "before ParaView starts, or pvserver where a server reads the data.")
-DEFINITION = os.path.join(os.path.dirname(os.path.abspath(__file__)), "weather_data_reader.xml")
+NAME_ANOTHER = ("The environment variable NEPHOSCOPE_PYTHON names the Python that reads the data; set it before ParaView starts, or pvserver where a server reads the data, "
+                "for example export NEPHOSCOPE_PYTHON=/opt/python/bin/python.")
+MADE = "~/nephoscope-python/bin/python"  # by the command in the message
+FOLDER = os.path.dirname(os.path.abspath(__file__))
+DEFINITION = os.path.join(FOLDER, "weather_data_reader.xml")
+
+
+def _neighbour(name):
+    """A file beside this one, as a module of a package of its own: ParaView may have loaded this file alone, without nephoscope."""
+    package = "nephoscope_weather"
+    if package not in sys.modules:
+        found = importlib.util.spec_from_file_location(package, os.path.join(FOLDER, "__init__.py"), submodule_search_locations=[FOLDER])
+        sys.modules[package] = importlib.util.module_from_spec(found)
+    return importlib.import_module(f"{package}.{name}")
 
 
 def interpreter():
-    """The Python that has the packages: NEPHOSCOPE_PYTHON, the environment of ./nephoscope, or python3."""
-    named = os.environ.get("NEPHOSCOPE_PYTHON")
+    """The Python that has the packages: NEPHOSCOPE_PYTHON, the environment of ./nephoscope, the one that the message makes, or python3."""
     own = os.path.join(os.environ.get("NEPHOSCOPE_VENV", ""), "bin", "python3")
-    return named or (own if os.path.isabs(own) and os.path.exists(own) else "python3")
+    there = [path for path in (own, os.path.expanduser(MADE)) if os.path.isabs(path) and os.path.exists(path)]
+    return os.environ.get("NEPHOSCOPE_PYTHON") or next(iter(there), "python3")
 
 
-def missing_packages(python):
-    """What to do about missing packages; empty if none is missing."""
-    probe = f"import importlib.util as u; print(*[n for n in {PACKAGES!r} if u.find_spec(n) is None])"
+def missing_packages(python, path):
+    """What to do about packages that the file needs and `python` lacks; empty if none is missing. Raises a RuntimeError if the file cannot be read."""
+    files = _neighbour("paraview_files")
+    needed = files.packages(path)
+    probe = f"import importlib.util as u; print(*[n.split('|')[0] for n in {needed!r} if not any(map(u.find_spec, n.split('|')))])"
     try:
         told = subprocess.run([python, "-c", probe], capture_output=True, text=True)
     except OSError as problem:
         told = subprocess.CompletedProcess([], 1, "", str(problem))
-    if told.returncode == 0 and not told.stdout.strip():
-        return ""
     if told.returncode != 0:
         return f"The Python {python} does not run: {told.stderr.strip()[-200:]}. {NAME_ANOTHER}"
-    return f"The Python packages {told.stdout.strip()} are missing. Install them: {_command(python)}. {NAME_ANOTHER}"
+    missing = told.stdout.split()
+    if not missing:
+        return ""
+    kind = files.file_format(path).split()[-1]
+    without = files.own_reader(path) if kind == "NetCDF" else ""
+    return (f"The reader needs Python packages for {kind} that {python} does not have: {', '.join(missing)}. {without + ' Or install' if without else 'Install'} them, "
+            f"and open the file again: {_command(python, kind, missing)}\n{NAME_ANOTHER}")
 
 
-def _command(python):
-    """What installs the packages; the wheel's command where this file alone was loaded, into a ParaView without the package."""
+def _command(python, kind, missing):
+    """What installs the packages of a format; by their names where this file alone was loaded, into a ParaView without the package."""
     try:
-        from nephoscope.samples import requirements, shared
+        from nephoscope.samples import requirements
     except ImportError:
-        return f"{python} -m pip install 'nephoscope[data]'"
-    command = requirements("requirements.txt", "requirements-data.txt", options="--no-deps ", python=python)
-    return f"{command} as NEPHOSCOPE_PYTHON" if shared("requirements-data.txt") else command
+        names = {**dict.fromkeys(("nephoscope", "pyvista"), "'nephoscope[pyvista]'"), "eccodes": "eccodes eccodeslib"}
+        return " ".join([python, "-m pip install", *dict.fromkeys(names.get(name, name) for name in missing)])
+    command, own, _ = requirements(*["requirements.txt"] * ("pyvista" in missing), f"requirements-{kind.lower()}.txt", options="--no-deps ", python=python).partition(", and use")
+    return command + (", and unset NEPHOSCOPE_PYTHON" if own and "NEPHOSCOPE_PYTHON" in os.environ else "")
 
 
 class Process:
@@ -73,11 +94,7 @@ class Process:
         return answer
 
     def _start(self):
-        python = interpreter()
-        problem = missing_packages(python)
-        if problem:
-            raise RuntimeError(problem)
-        self._process = subprocess.Popen([python, "-m", "nephoscope.weather.worker"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        self._process = subprocess.Popen([interpreter(), "-m", "nephoscope.weather.worker"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
 
 
 class WeatherDataReader(VTKPythonAlgorithmBase):
@@ -145,6 +162,9 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
     def _open(self):
         path, grid = self._settings["path"], self._settings["grid"]
         path = path[:-len("/.zmetadata")] if path.endswith("/.zmetadata") else path
+        for file in filter(None, (self._settings["mesh"], path)):
+            if problem := missing_packages(interpreter(), file):
+                raise RuntimeError(problem)
         found = self._process.ask(do="open", path=path, mesh=self._settings["mesh"], grid=None if grid < 0 else grid)
         for name in {self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())} - {*found["variables"]}:  # of an earlier file
             self._selection.RemoveArrayByName(name)
