@@ -71,6 +71,18 @@ class SunOfScene(unittest.TestCase):
         lights = self.lights(nephoscope.add_cells, (3, 0, 4), [pyvista.Light(position=(0, 1, 0), light_type="scene light")])
         self.assertNotIn((0.6, 0, 0.8), [tuple(np.round(light.position, 6)) for light in lights])
 
+    def test_other_subplots_keep_their_lights(self):
+        plotter = pyvista.Plotter(shape=(1, 3))
+        self.addCleanup(plotter.close)
+        before = [list(renderer.lights) for renderer in plotter.renderers]
+        for column, sun in ((0, (3, 0, 4)), (2, (0, 0, 1))):
+            plotter.subplot(0, column)
+            nephoscope.add_cells(plotter, lumps(), sun=sun, show_scalar_bar=False)
+        self.assertEqual(list(plotter.renderers[1].lights), before[1])
+        for column, sun in ((0, (0.6, 0, 0.8)), (2, (0, 0, 1))):
+            (light,) = plotter.renderers[column].lights
+            np.testing.assert_allclose(light.position, sun, atol=1e-9)
+
     def test_no_sun_no_change(self):
         plotter = pyvista.Plotter()
         before = len(plotter.renderer.lights)

@@ -328,10 +328,10 @@ def recorded_sun(mesh: pyvista.DataSet) -> np.ndarray | None:
 
 
 def add_sun(plotter: pyvista.BasePlotter, direction: Numbers | None) -> None:
-    """A light from the sun takes the place of the lights of the renderer, unless it has scene lights. None: the sun is unknown."""
+    """A light from the sun takes the place of the lights of the active renderer, unless it has scene lights. None: the sun is unknown."""
     if direction is not None and not any(light.is_scene_light for light in plotter.renderer.lights):
-        plotter.remove_all_lights()
-        plotter.add_light(pyvista.Light(position=direction, focal_point=(0, 0, 0), light_type="scene light"))
+        plotter.renderer.remove_all_lights()  # the plotter's own methods change those of all subplots
+        plotter.renderer.add_light(pyvista.Light(position=direction, focal_point=(0, 0, 0), light_type="scene light"))
 
 
 def lit_surface(surface: pyvista.PolyData, sun: Any) -> tuple[pyvista.PolyData, np.ndarray]:
