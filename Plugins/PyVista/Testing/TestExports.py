@@ -3,6 +3,7 @@
 """A plotter that exports says what it leaves out, each time, and what it shows is as before."""
 import functools
 import gc
+import inspect
 import os
 import tempfile
 import unittest
@@ -127,6 +128,25 @@ class Exports(unittest.TestCase):
         del plotter
         gc.collect()
         self.assertIsNone(reference())
+
+    def test_warnings_of_pyvista_name_the_line_of_the_user(self):
+        """PyVista 0.49 warns about exports itself, at the line that called it, and others warn at their own."""
+        class Plotter(pyvista.Plotter):
+            def export_vtksz(self, filename):
+                warnings.warn("Use another method.", FutureWarning, stacklevel=2)
+                warnings.warn_explicit("Elsewhere.", UserWarning, "elsewhere.py", 3)
+
+        plotter = Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        nephoscope.add_cells(plotter, grid())
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            line = inspect.currentframe().f_lineno + 1
+            plotter.export_vtksz("a.vtksz")
+        self.assertEqual([(w.filename, w.lineno) for w in caught], [(__file__, line), (__file__, line), ("elsewhere.py", 3)], caught)
+        with warnings.catch_warnings(), self.assertRaises(FutureWarning):
+            warnings.simplefilter("error", FutureWarning)
+            plotter.export_vtksz("a.vtksz")
 
     def test_pages_name_the_server(self):
         plotter = self.plotter(lambda p: nephoscope.add_cells(p, grid()))

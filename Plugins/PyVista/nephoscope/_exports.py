@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import functools
+import os
 import warnings
 import weakref
 from contextlib import contextmanager
@@ -55,19 +56,25 @@ def _export(name: str, plotter: pyvista.BasePlotter, method: Callable, *argument
     outputs = [(mapper, mapper.GetInputConnection(0, 0)) for mapper in _mappers(plotter)]
     inputs = [(mapper, output, output.GetProducer()) for mapper, output in outputs]  # an output does not keep its producer
     try:
-        with _told(), _quiet_vtk(is_empty):
-            return method(*arguments, **options)
+        with _quiet_vtk(is_empty):
+            return _told(method, *arguments, **options)
     finally:
         for mapper, output, _ in inputs:  # export_gltf puts the surface of the data there
             mapper.SetInputConnection(0, output)
 
 
-@contextmanager
-def _told() -> Iterator[None]:
-    """One export may call another one, whose warning would say the same again."""
-    with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", "export_[a-z_]* leaves out")
-        yield
+def _told(method: Callable, *arguments: Any, **options: Any) -> Any:
+    """Calls a method that may call another export, whose warning would say the same again. PyVista's own warnings, which would name a line of this file, name the user's."""
+    try:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.filterwarnings("ignore", "export_[a-z_]* leaves out")
+            return method(*arguments, **options)
+    finally:
+        for told in caught:
+            if told.filename == __file__:
+                warnings.warn(told.message, stacklevel=level_of_caller(os.path.dirname(pyvista.__file__)))
+            else:
+                warnings.warn_explicit(told.message, told.category, told.filename, told.lineno, source=told.source)
 
 
 @contextmanager
@@ -97,8 +104,7 @@ def _show_by(backend: str | None, plotter: pyvista.BasePlotter, method: Callable
     warnings.warn(f"The notebook backend {backend!r} draws in the browser and leaves out {' and '.join(missing)}. Draw them on the server: "
                   "plotter.show(jupyter_backend='server'), pyvista.set_jupyter_backend('server'), or nephoscope.serve(plotter) outside a notebook.",
                   UserWarning, stacklevel=level_of_caller())
-    with _told():
-        return method(*arguments, **options)
+    return _told(method, *arguments, **options)
 
 
 def _mappers(plotter: pyvista.BasePlotter) -> Iterator[Any]:
