@@ -80,6 +80,15 @@ def check_verbs(_files):
         yield f"README.md: the first two commands should be demo and test, not {commands[:2]}"
 
 
+def check_installed(_files):
+    """A page that names a command of ./nephoscope which an installed Nephoscope has in another form also has that form, or links to the page that translates. Scripts of the sources need none."""
+    command = re.compile(r"\./nephoscope (?:python|pvpython|pvbatch|pvserver|paraview|viewer)\b(?! (?:-n \d )?(?:Figures|Testing|Documentation)/)")
+    for path in (TOP / "README.md", *sorted((TOP / "Documentation").glob("*.md"))):
+        found = command.search(text_of(path))
+        if found and path.name != "commands.md" and "commands.md" not in text_of(path):
+            yield f"{path.relative_to(TOP)}: {found.group()} without a link to commands.md"
+
+
 def check_references(files):
     """Every key of the form NameYear in a source is in references.bib, once; its braces are in pairs."""
     references = text_of(TOP / "Documentation/references.bib")
@@ -265,7 +274,7 @@ def check_readmes(files):
 def main():
     files = tracked_files()
     problems = []
-    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_references, check_test_targets, check_changelog, check_sentences,
+    for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_installed, check_references, check_test_targets, check_changelog, check_sentences,
                   check_layers, check_include_paths, check_readmes):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package without PyVista: complete, light, and clear about what it lacks."""
 import ast
+import contextlib
 import hashlib
 import importlib.metadata
 import importlib.util
@@ -13,6 +14,7 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import nephoscope
 from nephoscope._modules import FROM_PYPI as IN_WHEEL
@@ -139,6 +141,19 @@ class Package(unittest.TestCase):
             path = ast.literal_eval(result.stdout)
             self.assertIsInstance(path, str)
             self.assertEqual(hashlib.sha256(Path(path).read_bytes()).hexdigest(), sums[name])
+
+    def test_the_command_takes_the_name_of_a_sample(self):
+        """A file of that name in the current folder comes first."""
+        from nephoscope import __main__
+        folder = self.enterContext(tempfile.TemporaryDirectory())
+        self.enterContext(contextlib.chdir(folder))
+        name = "forecast_10deg_6h.nc"
+        for expected in (nephoscope.sample_data(name), name):
+            viewer = mock.Mock()
+            with mock.patch.dict(vars(nephoscope), viewer=viewer):
+                self.assertEqual(__main__.main([name]), 0)
+            self.assertEqual(viewer.call_args.args, (expected,))
+            Path(name).touch()
 
     def test_sample_data_of_another_name(self):
         for name in ("SHA256SUMS", "../copyright", "", None):

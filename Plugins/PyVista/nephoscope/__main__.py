@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from pathlib import Path
 from typing import Sequence
 
 from .viewer_state import PORT, TECHNIQUES
@@ -15,16 +16,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = vars(_parser().parse_args(arguments))
     try:
         import nephoscope
-        nephoscope.viewer(given.pop("file"), **given)
+        nephoscope.viewer(_path(given.pop("file")), **given)
     except (ImportError, OSError, TypeError, ValueError, RuntimeError) as error:
         print(f"nephoscope-viewer: {error}", file=sys.stderr)
         return 1
     return 0
 
 
+def _path(file: str) -> str:
+    """The file, or the sample data of that name."""
+    from .samples import SAMPLES, sample_data
+    return sample_data(file) if file in SAMPLES and not Path(file).exists() else file
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="nephoscope-viewer", description="Shows a file in the browser, with a side bar for choosing what is drawn.")
-    parser.add_argument("file", help="NetCDF with CF conventions, or any file that PyVista reads")
+    parser.add_argument("file", help="NetCDF with CF conventions, any file that PyVista reads, or the name of sample data: gfs_2p5deg_2011101100.nc")
     parser.add_argument("--field", help="array to draw")
     parser.add_argument("--technique", choices=list(TECHNIQUES), help="default: the first that the data allow")
     parser.add_argument("--time", metavar="STEP", help="time step, from 0 (default: 0)")
