@@ -6,6 +6,7 @@ The view is made beforehand, so that no default of a version of ParaView is in t
 """
 import os
 
+import nephoscope_testing.quick_paraview  # noqa: F401
 from paraview import simple as pvs
 
 SIZE = [400, 300]

@@ -5,6 +5,7 @@ import os
 import sys
 import weakref
 
+import nephoscope_testing.quick_paraview  # noqa: F401
 import numpy as np
 from paraview import servermanager
 from paraview import simple as pvs
