@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContourCellSplitter.h"
 
+#include "BlocksWithArray.h"
 #include "ChosenPointArray.h"
 #include "ContourScalars.h"
 #include "ContourValueList.h"
@@ -83,9 +84,13 @@ vtkContourCellSplitter::vtkContourCellSplitter()
 {
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  this->Blocks = std::make_unique<nephoscope::BlocksWithArray>(
+    this, [this](vtkDataSet* block) { return nephoscope::HasChosenPointArray(this, block); });
   this->AddObserver(vtkCommand::StartEvent, this, &vtkContourCellSplitter::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this, &vtkContourCellSplitter::EndExecution);
 }
+
+vtkContourCellSplitter::~vtkContourCellSplitter() = default;
 
 vtkMTimeType vtkContourCellSplitter::GetMTime()
 {
@@ -115,9 +120,10 @@ int vtkContourCellSplitter::RequestData(
   vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
   if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs) ||
-    input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0)
+    input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0 ||
+    this->Blocks->IsLackedBy(input))
   {
-    return 1; // an empty block or piece
+    return 1; // an empty block or piece, or one without the array, which is left out
   }
   vtkDataArray* array = this->FindScalars(input, inputs);
   nephoscope::ContourLevels levels;
@@ -173,7 +179,7 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
       << called << " to split cells at. "
       << (onCells ? "It is on cells: apply Cell Data to Point Data first. "
                   : "Choose one with SetInputArrayToProcess. ")
-      << "Point arrays: " << Listed(input->GetPointData()) << ".");
+      << "Point arrays: " << Listed(input->GetPointData()) << "." << this->Blocks->NorInOthers());
     return nullptr;
   }
   auto* array = vtkDataArray::SafeDownCast(found);

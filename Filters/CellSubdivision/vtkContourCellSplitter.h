@@ -49,7 +49,8 @@
  * others and stay ghosts. Cells that are not three-dimensional are left out with a warning. Quadratic and other non-linear cells that are
  * crossed are divided as VTK triangulates them, with a warning. Cells must be convex; other cells are divided nevertheless, with a warning.
  *
- * Parallel (vtkSMPTools); the output does not depend on the number of threads. Blocks are divided one by one.
+ * Parallel (vtkSMPTools); the output does not depend on the number of threads. Blocks are divided one by one; those that lack the array are left
+ * out, as by vtkContourFilter, and it is an error if all of them do.
  */
 #ifndef vtkContourCellSplitter_h
 #define vtkContourCellSplitter_h
@@ -60,11 +61,13 @@
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <array>  // for members
+#include <memory> // for members
 #include <string> // for messages
 #include <vector> // for batches
 
 namespace nephoscope
 {
+class BlocksWithArray;
 class ContourLevels;
 class ContourScalars;
 struct SplitBatch;
@@ -145,7 +148,7 @@ public:
 
 protected:
   vtkContourCellSplitter();
-  ~vtkContourCellSplitter() override = default;
+  ~vtkContourCellSplitter() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(
@@ -188,7 +191,8 @@ private:
     0.0 }; // of the scalars of all blocks, used if no value is given
   bool HasDivided = false;
   int ExecutionDepth = 0;
-  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
+  std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array
+  vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
   vtkMTimeType ToldOfEmptiness = 0;
 };
 

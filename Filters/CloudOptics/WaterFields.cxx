@@ -128,6 +128,19 @@ bool hasWater(const WaterFields& fields)
     fields.Has(WaterFields::Ice) || fields.Has(WaterFields::Rain) || fields.Has(WaterFields::Snow);
 }
 
+// At points, or otherwise at cells.
+void takeWhereWaterIs(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
+{
+  take(data, names, fields);
+  if (!hasWater(fields))
+  {
+    WaterFields onCells;
+    onCells.OnCells = true;
+    take(data, names, onCells);
+    fields = hasWater(onCells) ? onCells : fields;
+  }
+}
+
 // Named by the user, but not there.
 std::string missingNames(const FieldNames& names, const WaterFields& fields)
 {
@@ -279,17 +292,17 @@ const char* wordsFor(WaterFields::Kind kind)
   return namesOf(kind).Words;
 }
 
+bool hasCloudWater(vtkDataSet* data, const FieldNames& names)
+{
+  WaterFields fields;
+  takeWhereWaterIs(data, names, fields);
+  return hasWater(fields);
+}
+
 std::string findWaterFields(
   vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields)
 {
-  take(data, names, fields);
-  if (!hasWater(fields)) // on cells, perhaps
-  {
-    WaterFields onCells;
-    onCells.OnCells = true;
-    take(data, names, onCells);
-    fields = hasWater(onCells) ? onCells : fields;
-  }
+  takeWhereWaterIs(data, names, fields);
   for (int k = 0; k < WaterFields::NumberOfWaters; ++k)
   {
     fields.Units[k] =

@@ -51,6 +51,9 @@ using FieldNames = std::array<std::string, WaterFields::NumberOfFields>;
 std::string findWaterFields(
   vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields);
 
+/** Whether there is any water, at points or at cells. */
+bool hasCloudWater(vtkDataSet* data, const FieldNames& names);
+
 /** The words for a field in messages. */
 const char* wordsFor(WaterFields::Kind kind);
 }

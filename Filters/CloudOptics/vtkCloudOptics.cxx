@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudOptics.h"
 
+#include "BlocksWithArray.h"
 #include "EmptyInput.h"
 #include "InputBlocks.h"
 #include "OpticalArrays.h"
@@ -82,19 +83,32 @@ std::string countOf(vtkIdType count)
 }
 }
 
-bool vtkCloudOptics::AddOptics(vtkDataSet* data)
+vtkCloudOptics::vtkCloudOptics()
+  : Blocks(std::make_unique<nephoscope::BlocksWithArray>(
+      this, [this](vtkDataSet* block) { return nephoscope::hasCloudWater(block, this->Names()); }))
+{
+}
+
+vtkCloudOptics::~vtkCloudOptics() = default;
+
+nephoscope::FieldNames vtkCloudOptics::Names() const
 {
   nephoscope::FieldNames names = { this->TotalWaterArrayName, this->LiquidArrayName,
     this->IceArrayName, this->RainArrayName, this->SnowArrayName, this->TemperatureArrayName,
     this->PressureArrayName, this->CloudFractionArrayName, this->LandArrayName,
     this->HeightArrayName };
   std::replace(names.begin(), names.end(), std::string("Automatic"), std::string());
+  return names;
+}
+
+bool vtkCloudOptics::AddOptics(vtkDataSet* data)
+{
   WaterFields fields;
   const std::string problem = nephoscope::findWaterFields(
-    data, names, static_cast<nephoscope::WaterUnits>(this->WaterUnits), fields);
+    data, this->Names(), static_cast<nephoscope::WaterUnits>(this->WaterUnits), fields);
   if (!problem.empty())
   {
-    vtkErrorMacro(<< nephoscope::inBlock(this, data) << problem);
+    vtkErrorMacro(<< nephoscope::inBlock(this, data) << problem << this->Blocks->NorInOthers());
     return false;
   }
   const std::vector<double> pressures = nephoscope::pressuresOf(data, fields);
@@ -154,6 +168,14 @@ int vtkCloudOptics::RequestData(
   output->ShallowCopy(vtkDataSet::GetData(inputs[0], 0));
   if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs))
   {
+    return 1;
+  }
+  if (this->Blocks->IsLackedBy(output))
+  {
+    if (!this->Blocks->HasAny())
+    {
+      output->Initialize();
+    }
     return 1;
   }
   nephoscope::ReportOnce report(this, this->Failed);

@@ -28,7 +28,14 @@
 #include "vtkDataSetAlgorithm.h"
 #include "vtkNephoscopeFiltersCloudOpticsModule.h" // for export macro
 
+#include <array>  // for array names
+#include <memory> // for members
 #include <string> // for array names
+
+namespace nephoscope
+{
+class BlocksWithArray;
+}
 
 class VTKNEPHOSCOPEFILTERSCLOUDOPTICS_EXPORT vtkCloudOptics : public vtkDataSetAlgorithm
 {
@@ -130,8 +137,8 @@ public:
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 protected:
-  vtkCloudOptics() = default;
-  ~vtkCloudOptics() override = default;
+  vtkCloudOptics();
+  ~vtkCloudOptics() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -140,6 +147,7 @@ private:
   vtkCloudOptics(const vtkCloudOptics&) = delete;
   void operator=(const vtkCloudOptics&) = delete;
 
+  std::array<std::string, 10> Names() const; // of arrays: nephoscope::FieldNames
   bool AddOptics(vtkDataSet* data);
 
   std::string TotalWaterArrayName, LiquidArrayName, IceArrayName, RainArrayName, SnowArrayName;
@@ -152,8 +160,9 @@ private:
   double IceRadius = 30;
   double DropletsOverLand = 300;
   double DropletsOverSea = 100;
-  vtkMTimeType ToldOfEmptiness = 0, Failed = 0; // for isEmptyInput and ReportOnce
-  vtkMTimeType ToldOfInput = 0;                 // for hasOtherInput
+  vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for isEmptyInput and ReportOnce
+  vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
+  std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array
 };
 
 #endif

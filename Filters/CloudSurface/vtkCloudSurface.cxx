@@ -4,6 +4,7 @@
 
 #include "ArrayChecks.h"
 #include "BlockNeighbours.h"
+#include "BlocksWithArray.h"
 #include "ChosenPointArray.h"
 #include "ContourValueList.h"
 #include "DefaultRange.h"
@@ -87,6 +88,8 @@ bool CellsOfPiece(
 vtkCloudSurface::vtkCloudSurface()
 {
   this->Neighbours = std::make_unique<nephoscope::BlockNeighbours>();
+  this->Blocks = std::make_unique<nephoscope::BlocksWithArray>(
+    this, [this](vtkDataSet* block) { return nephoscope::HasChosenPointArray(this, block); });
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   this->AddObserver(vtkCommand::StartEvent, this, &vtkCloudSurface::BeginExecution);
@@ -135,6 +138,10 @@ int vtkCloudSurface::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataSet* block = vtkDataSet::GetData(inputs[0], 0);
+  if (this->Blocks->IsLackedBy(block))
+  {
+    return 1; // is left out
+  }
   vtkDataSet* input = this->Neighbours->Extended(block);
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   nephoscope::SmoothingPlan plan;
@@ -339,7 +346,8 @@ vtkDataArray* vtkCloudSurface::FindScalars(vtkDataSet* input, vtkInformationVect
   if (!found || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     vtkErrorMacro(<< nephoscope::NoPointArray(
-                    input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME())));
+                       input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()))
+                  << this->Blocks->NorInOthers());
     return nullptr;
   }
   const std::string fault = nephoscope::ArrayFault(input, found);

@@ -52,6 +52,7 @@ class vtkDataArray;
 namespace nephoscope
 {
 class BlockNeighbours;
+class BlocksWithArray;
 class SmoothingPlan;
 }
 
@@ -202,6 +203,7 @@ private:
   std::string Reason; // why there is no surface
   bool HasSurface = false;
   int ExecutionDepth = 0;
+  std::unique_ptr<nephoscope::BlocksWithArray> Blocks;     // some may lack the array
   std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
   vtkMTimeType ToldOfInput = 0;                            // for hasOtherInput
 };

@@ -4,6 +4,7 @@
 
 #include "ArrayChecks.h"
 #include "BlockNeighbours.h"
+#include "BlocksWithArray.h"
 #include "ChosenPointArray.h"
 #include "FieldSmoother.h"
 #include "MessageSuppression.h"
@@ -97,6 +98,8 @@ void Replace(vtkDataSet* output, vtkDataArray* from, vtkDataArray* to)
 vtkStructuredSmoothing::vtkStructuredSmoothing()
 {
   this->Neighbours = std::make_unique<nephoscope::BlockNeighbours>();
+  this->Blocks = std::make_unique<nephoscope::BlocksWithArray>(
+    this, [this](vtkDataSet* block) { return this->HasArrays(block); });
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
   this->AddObserver(vtkCommand::StartEvent, this, &vtkStructuredSmoothing::BeginExecution);
@@ -210,6 +213,15 @@ int vtkStructuredSmoothing::RequestData(
   vtkDataSet* block = vtkDataSet::GetData(inputs[0], 0);
   vtkDataSet* input = this->Neighbours->Extended(block);
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
+  if (this->Blocks->IsLackedBy(block))
+  {
+    if (this->Blocks->HasAny())
+    {
+      output->ShallowCopy(block);
+      Crop(output, outputs->GetInformationObject(0));
+    }
+    return 1;
+  }
   nephoscope::ReportOnce report(this, this->Failed);
   nephoscope::SmoothingPlan plan;
   std::string error;
@@ -251,6 +263,18 @@ int vtkStructuredSmoothing::RequestData(
   return 1;
 }
 
+// Whether there is anything to smooth.
+bool vtkStructuredSmoothing::HasArrays(vtkDataSet* block)
+{
+  const auto has = [block](const std::string& name) {
+    return block->GetPointData()->HasArray(name.c_str()) ||
+      block->GetCellData()->HasArray(name.c_str());
+  };
+  return this->AllFloatArrays ||
+    (this->ArrayNames.empty() ? nephoscope::HasChosenPointArray(this, block)
+                              : std::any_of(this->ArrayNames.begin(), this->ArrayNames.end(), has));
+}
+
 bool vtkStructuredSmoothing::FindArrays(
   vtkDataSet* input, vtkInformationVector** inputs, std::vector<int>& arrays)
 {
@@ -274,7 +298,8 @@ bool vtkStructuredSmoothing::FindArrays(
       vtkAbstractArray* array = data->GetAbstractArray(name.c_str());
       if (!array)
       {
-        vtkErrorMacro(<< nephoscope::NoPointArray(input, name.c_str()));
+        vtkErrorMacro(<< nephoscope::NoPointArray(input, name.c_str())
+                      << this->Blocks->NorInOthers());
         return false;
       }
       wanted.push_back(array);
@@ -289,7 +314,8 @@ bool vtkStructuredSmoothing::FindArrays(
     if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
     {
       vtkErrorMacro(<< nephoscope::NoPointArray(
-                      input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME())));
+                         input, this->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_NAME()))
+                    << this->Blocks->NorInOthers());
       return false;
     }
     wanted.push_back(array);

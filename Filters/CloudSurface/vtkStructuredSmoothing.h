@@ -43,6 +43,7 @@ class vtkDataArray;
 namespace nephoscope
 {
 class BlockNeighbours;
+class BlocksWithArray;
 class SmoothingPlan;
 struct SmoothingSettings;
 }
@@ -190,6 +191,7 @@ private:
   vtkStructuredSmoothing(const vtkStructuredSmoothing&) = delete;
   void operator=(const vtkStructuredSmoothing&) = delete;
 
+  bool HasArrays(vtkDataSet* block);
   bool FindArrays(vtkDataSet* input, vtkInformationVector** inputs, std::vector<int>& arrays);
   bool SmoothArrays(vtkDataSet* block, vtkDataSet* input, const nephoscope::SmoothingPlan& plan,
     const std::vector<int>& arrays, vtkDataSet* output);
@@ -210,6 +212,7 @@ private:
   bool AllFloatArrays = false;
   vtkMTimeType Failed = 0; // for ReportOnce
   int ExecutionDepth = 0;
+  std::unique_ptr<nephoscope::BlocksWithArray> Blocks;     // some may lack the array
   std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
   vtkMTimeType ToldOfInput = 0;                            // for hasOtherInput
 };

@@ -9,6 +9,7 @@
 #include "FieldNames.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
@@ -48,6 +49,20 @@ inline vtkDataArray* DefaultPointArray(vtkPointData* data)
     }
   }
   return nullptr;
+}
+
+// Whether a block has the array that the filter works on. One that has it at its cells counts, because that deserves a message of its own.
+inline bool HasChosenPointArray(vtkAlgorithm* filter, vtkDataSet* block)
+{
+  if (IsNoArrayChosen(filter))
+  {
+    return DefaultPointArray(block->GetPointData()) != nullptr;
+  }
+  vtkInformation* wanted = filter->GetInputArrayInformation(0);
+  const char* name = wanted->Get(vtkDataObject::FIELD_NAME());
+  return name ? block->GetPointData()->HasArray(name) || block->GetCellData()->HasArray(name)
+              : block->GetPointData()->GetAbstractAttribute(
+                  wanted->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE())) != nullptr;
 }
 
 // The range of the default point arrays of a dataset or of all in a group, without fill values (1e30 or more); the first one above the last if there is none.

@@ -37,4 +37,16 @@ std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter)
   }
   return all;
 }
+
+bool isTrueOfAnyPiece(vtkAlgorithm* filter, bool mine)
+{
+  const int here = mine ? 1 : 0;
+  int any = here;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (IsPieceOfRank(filter, controller))
+  {
+    controller->AllReduce(&here, &any, 1, vtkCommunicator::MAX_OP);
+  }
+  return any > 0;
+}
 }

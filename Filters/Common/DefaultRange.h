@@ -14,6 +14,9 @@ namespace nephoscope
 {
 // For the input of a filter that is about to execute; the first value is above the last if there is none. All ranks call it that compute pieces.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter);
+
+// Whether it is true of any of the ranks that compute pieces, all of which call it.
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT bool isTrueOfAnyPiece(vtkAlgorithm* filter, bool mine);
 }
 
 #endif

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputBlocks.h"
 
-#include "DataSets.h"
-
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkCellData.h"
@@ -98,21 +96,5 @@ std::string inBlock(vtkAlgorithm* filter, vtkDataSet* block)
     }
   }
   return "";
-}
-
-bool anyBlockHas(vtkAlgorithm* filter, const std::string& array)
-{
-  bool has = false;
-  if (vtkCompositeDataSet* blocks = blocksOf(filter))
-  {
-    ForEachLeaf(blocks, [&](vtkDataObject* leaf) {
-      auto* set = vtkDataSet::SafeDownCast(leaf);
-      has = has ||
-        (set &&
-          (set->GetPointData()->HasArray(array.c_str()) ||
-            set->GetCellData()->HasArray(array.c_str())));
-    });
-  }
-  return has;
 }
 }

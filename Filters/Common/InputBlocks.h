@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The other blocks of an input, for a filter that the pipeline runs for one block after the other.
+// The names of blocks, for a filter that the pipeline runs for one block after the other.
 #ifndef nephoscope_InputBlocks_h
 #define nephoscope_InputBlocks_h
 
@@ -20,9 +20,6 @@ VTKNEPHOSCOPEFILTERSCOMMON_EXPORT std::string nameOfBlock(vtkCompositeDataIterat
 // "Block 'air': " or "Block 3: " (the flat index), as the start of a message; empty where the input has no blocks, or they cannot be seen: the
 // pipeline of VTK hides them, ParaView's shows them.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT std::string inBlock(vtkAlgorithm* filter, vtkDataSet* block);
-
-// Whether any block has this array at its points or cells.
-VTKNEPHOSCOPEFILTERSCOMMON_EXPORT bool anyBlockHas(vtkAlgorithm* filter, const std::string& array);
 }
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSmokePuffs.h"
 
+#include "BlocksWithArray.h"
 #include "ChangeOfInput.h"
 #include "EmptyInput.h"
 #include "OwnThreads.h"
@@ -182,7 +183,9 @@ double LargestOfRanks(double value)
 }
 
 vtkSmokePuffs::vtkSmokePuffs()
-  : Averages(new nephoscope::PointDensity)
+  : Blocks(std::make_unique<nephoscope::BlocksWithArray>(
+      this, [](vtkDataSet* block) { return block->GetCellData()->HasArray("Density"); }))
+  , Averages(new nephoscope::PointDensity)
 {
 }
 
@@ -351,9 +354,12 @@ void vtkSmokePuffs::AddSmokeDensity(
   vtkDataArray* ages = density ? FindArray(attributes, elements, "Age", count, problem) : nullptr;
   if (!ages)
   {
-    vtkErrorMacro(<< problem);
+    if (!this->Blocks->IsLackedBy(output))
+    {
+      vtkErrorMacro(<< problem << this->Blocks->NorInOthers());
+      nephoscope::FailureCode::Set(this, true);
+    }
     output->Initialize(); // the input itself would look like smoke
-    nephoscope::FailureCode::Set(this, true);
     return;
   }
   vtkNew<vtkDoubleArray> smoke;

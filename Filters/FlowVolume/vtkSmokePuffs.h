@@ -41,6 +41,7 @@
 
 namespace nephoscope
 {
+class BlocksWithArray;
 class PointDensity;
 struct PuffPulse;
 }
@@ -166,6 +167,7 @@ private:
   void AddSmokeDensity(
     vtkUnstructuredGrid* output, const nephoscope::PuffPulse& pulse, double time);
 
+  std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array
   std::unique_ptr<nephoscope::PointDensity> Averages;
   void WarnOfShortPuffs(vtkUnstructuredGrid* smoke, const nephoscope::PuffPulse& pulse);
   vtkMTimeType Change = 0;                    // of the input, for which the next two were found

@@ -3,6 +3,7 @@
 #include "vtkSunlight.h"
 
 #include "ArrayNames.h"
+#include "BlocksWithArray.h"
 #include "CloudShadow.h"
 #include "DirectionalLight.h"
 #include "EmptyInput.h"
@@ -11,6 +12,7 @@
 #include "OwnThreads.h"
 #include "PhaseFunction.h"
 #include "RequiredInput.h"
+#include "SmokeData.h"
 #include "SmokeOptics.h"
 #include "Vector3.h"
 #include "vtkSunlightInternals.h"
@@ -54,6 +56,8 @@ bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& p
 }
 
 vtkSunlight::vtkSunlight()
+  : Blocks(std::make_unique<nephoscope::BlocksWithArray>(
+      this, [this](vtkDataSet* block) { return this->HasExtinction(block); }))
 {
   this->SetNumberOfInputPorts(3);
 }
@@ -85,8 +89,8 @@ bool vtkSunlight::Check(vtkDataSet* data)
     vtkErrorMacro(
       << nephoscope::inBlock(this, data) << "There is no array '" << this->ExtinctionArrayName
       << "' of the extinction. Make one by Cloud Optics, or set ExtinctionArrayName. Point arrays: "
-      << quotedArrayNames(data->GetPointData())
-      << "; cell arrays: " << quotedArrayNames(data->GetCellData()) << ".");
+      << quotedArrayNames(data->GetPointData()) << "; cell arrays: "
+      << quotedArrayNames(data->GetCellData()) << "." << this->Blocks->NorInOthers());
     return false;
   }
   if (array->GetNumberOfComponents() != 1)
@@ -99,11 +103,19 @@ bool vtkSunlight::Check(vtkDataSet* data)
   return true;
 }
 
+// Smoke needs none.
+bool vtkSunlight::HasExtinction(vtkDataSet* data) const
+{
+  const char* name = this->ExtinctionArrayName.c_str();
+  return data->GetPointData()->HasArray(name) || data->GetCellData()->HasArray(name) ||
+    (this->ExtinctionArrayName == "Extinction" && nephoscope::smokeDensity(data));
+}
+
 // A block without extinction beside others that have it, such as the ground below clouds.
 void vtkSunlight::TakeForClearAir(vtkDataSet* data)
 {
   const std::string& name = this->UsedExtinction;
-  if (data->GetPointData()->HasArray(name.c_str()) || !nephoscope::anyBlockHas(this, name))
+  if (data->GetPointData()->HasArray(name.c_str()) || !this->Blocks->HasAny())
   {
     return;
   }
@@ -329,6 +341,11 @@ int vtkSunlight::RequestData(
   output->ShallowCopy(input);
   if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs))
   {
+    return 1;
+  }
+  if (!this->Blocks->HasAny() && this->Blocks->IsLackedBy(input))
+  {
+    output->Initialize();
     return 1;
   }
   nephoscope::ReportOnce report(this, this->Failed);

@@ -49,6 +49,11 @@
 #include <string> // for array names
 #include <vector> // for members
 
+namespace nephoscope
+{
+class BlocksWithArray;
+}
+
 class VTKNEPHOSCOPEFILTERSSUNLIGHT_EXPORT vtkSunlight : public vtkDataSetAlgorithm
 {
 public:
@@ -204,6 +209,7 @@ private:
   struct Work;
   bool FindSun(vtkDataSet* data, std::array<double, 3>& sun);
   bool Check(vtkDataSet* data);
+  bool HasExtinction(vtkDataSet* data) const;
   void TakeForClearAir(vtkDataSet* data);
   bool Compute(vtkDataSet* data, Work& work);
   bool AddLight(vtkDataSet* data, vtkDataSet* input);
@@ -242,10 +248,11 @@ private:
   int NumberOfIterations = 0;
   double LastChange = 0;
   bool ToldOfPieces = false;
-  vtkMTimeType ToldOfEmptiness = 0, Failed = 0; // for isEmptyInput and ReportOnce
-  vtkMTimeType ToldOfInput = 0;                 // for hasOtherInput
-  std::unique_ptr<Work> Last;                   // kept for another eye
-  std::vector<double> LastState;                // that it was computed for
+  vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for isEmptyInput and ReportOnce
+  vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
+  std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array
+  std::unique_ptr<Work> Last;                          // kept for another eye
+  std::vector<double> LastState;                       // that it was computed for
 };
 
 #endif

@@ -22,13 +22,13 @@ EXPECTED = {
     "tetrahedra": {"GlobeGrid": GRIDS, "FlowVolume": NO_VELOCITY, "SmokePuffs": "'Density'", "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS,
                    "TextureCoordinateAdvection": NO_VELOCITY, **LIGHT},
     "blocks": {"GlobeGrid": ".", "FlowVolume": "No block", "SmokePuffs": "flow volume", "CloudSurface": GRIDS, "StructuredSmoothing": ".",
-               "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": "one grid", **LIGHT},
+               "TextureCoordinateAdvection": "one grid", **LIGHT},
     "a hyper tree grid": {**dict.fromkeys(("GlobeGrid", "CloudSurface", "StructuredSmoothing"), TREE + ", then Resample To Image"),
                           **dict.fromkeys(("FlowVolume", "TextureCoordinateAdvection", "ContourCellSplitter", "PolyhedrontoTetrahedra", "CloudOptics", "Sunlight"), TREE), "SmokePuffs": "Connect a flow volume"},
     "nothing": {"GlobeGrid": GRIDS, "FlowVolume": EMPTY, "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS, "TextureCoordinateAdvection": EMPTY,
                 **dict.fromkeys(("SmokePuffs", "ContourCellSplitter", "PolyhedrontoTetrahedra", "CloudOptics", "Sunlight"), "The input is empty")},
 }
-MOST = {("GlobeGrid", "an image"): 2, ("GlobeGrid", "blocks"): 4, ("SmokePuffs", "blocks"): 2, ("StructuredSmoothing", "blocks"): 2, ("CloudOptics", "blocks"): 2, ("Sunlight", "blocks"): 2}
+MOST = {("GlobeGrid", "an image"): 2, ("GlobeGrid", "blocks"): 4, ("SmokePuffs", "blocks"): 2, ("StructuredSmoothing", "blocks"): 2}
 
 
 def kinds():
