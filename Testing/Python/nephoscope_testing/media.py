@@ -8,7 +8,9 @@ from . import reference
 
 NODES, WEIGHTS = reference.NODES, reference.WEIGHTS
 PANELS = 4
-SHORTEST = 1e-9  # shorter pieces are rounding where a ray meets an edge; _sums would take one for the cell that begins with it
+PLACES = np.concatenate([(panel + NODES) / PANELS for panel in range(PANELS)])  # in an interval, from 0 to 1
+SHARES = np.tile(WEIGHTS / PANELS, PANELS)
+SHORTEST = 1e-9  # shorter pieces are rounding where a ray meets an edge; _linear would take one for the cell that begins with it
 
 
 def render(media, view, opaque=None, begin=None):
@@ -25,19 +27,12 @@ def render(media, view, opaque=None, begin=None):
             first, last = np.maximum(start, between[0]), np.minimum(end, between[1])
         pieces.append(_pieces(cells, transfer, view, origins, directions, first, last))
     pixel, t0, t1 = _intervals(pieces)
-    depth, emission = np.zeros(len(pixel)), np.zeros((len(pixel), 3))
-    passed = np.zeros(len(pixel))
-    for panel in range(PANELS):
-        low = t0 + (t1 - t0) * panel / PANELS
-        step = (t1 - t0) / PANELS
-        t = low[:, None] + step[:, None] * NODES
-        rate, source = _sums(media, pieces, pixel, 0.5 * (t0 + t1), t)
-        ends = _sums(media, pieces, pixel, 0.5 * (t0 + t1), np.stack([low, low + step], axis=1))[0]
-        optical = step[:, None] * (ends[:, :1] * NODES + 0.5 * (ends[:, 1:] - ends[:, :1]) * NODES ** 2)  # extinction is linear
-        weight = WEIGHTS * step[:, None] * np.exp(-passed[:, None] - optical)
-        emission += np.einsum("ij,ijk->ik", weight, source)
-        passed += step * ends.mean(axis=1)
-    return reference.composite(pixel, passed, emission, view)
+    rate, source = _linear(media, pieces, pixel, t0, t1)
+    length = (t1 - t0)[:, None]
+    optical = length * (rate[:, :1] * PLACES + 0.5 * (rate[:, 1:] - rate[:, :1]) * PLACES ** 2)
+    moments = np.exp(-optical) @ (SHARES[:, None] * PLACES[:, None] ** (0, 1, 2))
+    emission = np.einsum("ij,ijk->ik", length * moments, source)
+    return reference.composite(pixel, length[:, 0] * rate.mean(axis=1), emission, view)
 
 
 def _pieces(cells, transfer, view, origins, directions, start, end):
@@ -66,20 +61,22 @@ def _intervals(pieces):
     return pixel[:-1][keep], t[:-1][keep], t[1:][keep]
 
 
-def _sums(media, pieces, pixel, middle, t):
-    """Extinction, and extinction times colour, of all media at the places t of each interval."""
-    rate, source = np.zeros(t.shape), np.zeros((*t.shape, 3))
+def _linear(media, pieces, pixel, t0, t1):
+    """In each interval: the extinction of all media at its two ends, between which it is linear, and the coefficients of extinction times colour, which is
+    quadratic, in the place from 0 to 1: (intervals, 3 powers, 3 colours)."""
+    rate, source = np.zeros((len(t0), 2)), np.zeros((len(t0), 3, 3))
+    middle = 0.5 * (t0 + t1)
     far = 4 * max([1.0] + [np.abs(part[2]).max() for part in pieces if len(part[2])])
-    for (_, transfer, *_), (at, t0, t1, s0, s1) in zip(media, pieces):
+    for (_, transfer, *_), (at, begin, end, s0, s1) in zip(media, pieces):
         if not len(at):
             continue
-        number = np.searchsorted(at * far + t0, pixel * far + middle, side="right") - 1
-        inside = (number >= 0) & (at[number] == pixel) & (t1[number] > middle)
+        number = np.searchsorted(at * far + begin, pixel * far + middle, side="right") - 1
+        inside = (number >= 0) & (at[number] == pixel) & (end[number] > middle)
         n = number[inside]
-        u = (t[inside] - t0[n, None]) / (t1 - t0)[n, None]
-        a0, a1 = transfer.extinction(s0)[n, None], transfer.extinction(s1)[n, None]
-        c0, c1 = transfer.color(s0)[n, None], transfer.color(s1)[n, None]
-        extinction = a0 + (a1 - a0) * u
-        rate[inside] += extinction
-        source[inside] += extinction[..., None] * (c0 + (c1 - c0) * u[..., None])
+        a0, a1, c0, c1 = transfer.extinction(s0)[n], transfer.extinction(s1)[n], transfer.color(s0)[n], transfer.color(s1)[n]
+        low, high = ((t[inside] - begin[n]) / (end - begin)[n] for t in (t0, t1))
+        e, de = (a0 + (a1 - a0) * low)[:, None], ((a1 - a0) * (high - low))[:, None]
+        c, dc = c0 + (c1 - c0) * low[:, None], (c1 - c0) * (high - low)[:, None]
+        rate[inside] += np.concatenate([e, e + de], axis=1)
+        source[inside] += np.stack([e * c, e * dc + de * c, de * dc], axis=1)
     return rate, source

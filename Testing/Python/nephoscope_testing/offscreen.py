@@ -3,6 +3,7 @@
 """Off-screen windows, volumes in them, and what they drew as numpy arrays (bottom row first)."""
 import ctypes
 import ctypes.util
+import sys
 
 import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (registers the OpenGL classes)
@@ -17,15 +18,42 @@ from .messages import Messages
 from .view import View
 
 
+IDLE = []  # windows of VTK that nobody has any more
+SETTINGS = ("OffScreenRendering", "MultiSamples", "AlphaBitPlanes", "NumberOfLayers", "StereoRender", "StereoType", "UseSRGBColorSpace", "LineSmoothing",
+            "PolygonSmoothing", "PointSmoothing", "AbortRender", "DesiredUpdateRate", "Interactor", "SharedRenderWindow", "SwapBuffers", "DPI")
+
+
+def settings_of(window):
+    return [getattr(window, "Get" + name)() for name in SETTINGS if hasattr(window, "Get" + name)]
+
+
 class Window:
-    """A render window without multisampling; every message of any VTK object while it draws is kept."""
+    """A render window without multisampling; every message of any VTK object while it draws is kept.
+
+    The window of VTK may be one that an earlier case has left: to open one and to compile its shaders takes longer than most pictures. The first of a process is new.
+    """
 
     def __init__(self, size=(96, 96)):
-        self.window = vtkRenderWindow()
-        self.window.SetOffScreenRendering(1)
-        self.window.SetMultiSamples(0)
+        self.window = IDLE.pop() if IDLE else self.new()
+        self.settings = settings_of(self.window)
         self.window.SetSize(*size)
         self.messages = Messages()
+
+    @staticmethod
+    def new():
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetMultiSamples(0)
+        return window
+
+    def __del__(self):
+        """Leaves the window to others, unless someone else holds it, or has changed it in a way that others would see."""
+        window = self.__dict__.pop("window", None)
+        if window is None or sys.is_finalizing() or sys.getrefcount(window) > 2 or window.GetReferenceCount() > 1 or settings_of(window) != self.settings:
+            return
+        for renderer in list(window.GetRenderers()):
+            window.RemoveRenderer(renderer)
+        IDLE.append(window)
 
     def add_scene(self, **options):
         scene = Scene(self, **options)
