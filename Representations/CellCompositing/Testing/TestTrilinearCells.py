@@ -142,8 +142,22 @@ class Drawn:
         return float_image(self.mapper)
 
 
+PROBED = []  # [data, places, what was found there] of the last call: another array is often asked for at the same places
+
+
 def probed(data, places, name="s"):
     """By VTK's cells. What is outside the bounds is not looked for, which would take most of the time."""
+    if not PROBED or PROBED[0] is not data or PROBED[1] is not places:
+        PROBED[:] = [data, places, *probe_of(data, places)]
+    near, found = PROBED[2:]
+    values, inside = np.zeros(len(places)), np.zeros(len(places), bool)
+    values[near] = vtk_to_numpy(found.GetArray(name))
+    inside[near] = vtk_to_numpy(found.GetArray("vtkValidPointMask")) > 0
+    return values, inside
+
+
+def probe_of(data, places):
+    """(indices of the places within the bounds, arrays there)."""
     low, high = np.array(data.GetBounds()).reshape(3, 2).T
     near = np.flatnonzero(np.all((places >= low) & (places <= high), axis=1))
     points, poly, probe, strategy = vtkPoints(), vtkPolyData(), vtkProbeFilter(), vtkCellLocatorStrategy()
@@ -154,11 +168,7 @@ def probed(data, places, name="s"):
     probe.SetInputData(poly)
     probe.SetSourceData(data)
     probe.Update()
-    found = probe.GetOutput().GetPointData()
-    values, inside = np.zeros(len(places)), np.zeros(len(places), bool)
-    values[near] = vtk_to_numpy(found.GetArray(name))
-    inside[near] = vtk_to_numpy(found.GetArray("vtkValidPointMask")) > 0
-    return values, inside
+    return near, probe.GetOutput().GetPointData()
 
 
 def crossed(contoured, inside, surfaces):
@@ -171,30 +181,51 @@ def crossed(contoured, inside, surfaces):
         yield between, opacity, rgb
 
 
-def dense(data, view, transfer, field=None, samples=1200, opacity=None, surfaces=(), contoured=None):
+def meets(bounds, origins, directions):
+    """Whether each ray meets the box, or nearly does."""
+    low, high = np.array(bounds).reshape(3, 2).T
+    with np.errstate(divide="ignore", invalid="ignore"):
+        t = np.stack([low - 1e-6 - origins, high + 1e-6 - origins]) / directions
+    return ~(np.nanmax(t.min(axis=0), axis=1) > np.nanmin(t.max(axis=0), axis=1))
+
+
+def dense(data, view, *arguments, **options):
+    """(height, width, 4) of `samples_of` rays that meet the bounds; others see nothing."""
+    rays = view.rays()
+    hit = meets(data.GetBounds(), *rays[:2])
+    rgba = np.zeros((len(hit), 4))
+    rgba[hit] = samples_of(data, [a[hit] for a in rays], *arguments, **options)
+    return rgba.reshape(view.height, view.width, 4)
+
+
+def samples_of(data, rays, transfer, field=None, samples=1200, opacity=None, surfaces=(), contoured=None):
     """Samples in the middles of as many parts of each ray, composited, and surfaces between them. opacity, contoured: fields of arrays
     of their own."""
-    origins, directions, near, far = view.rays()
+    origins, directions, near, far = rays
     middle = -np.einsum("ij,ij->i", origins, directions)
     start, end = np.maximum(near, middle - 0.9), np.minimum(far, middle + 0.9)
     step = (end - start) / samples
     t = start[:, None] + step[:, None] * (np.arange(samples) + 0.5)
     places = (origins[:, None] + t[..., None] * directions[:, None]).reshape(-1, 3)
-    if field:
-        values, inside = field(places)
-    else:
-        values, inside = probed(data, places)
+    values, inside = field(places) if field else probed(data, places)
     seen = opacity(places)[0].reshape(t.shape) if opacity else values.reshape(t.shape)
     values, inside = values.reshape(t.shape), inside.reshape(t.shape)
-    depth = np.where(inside, transfer.extinction(seen), 0) * step[:, None]
+    depth = np.zeros(t.shape)
+    depth[inside] = transfer.extinction(seen[inside])
+    depth *= step[:, None]
     found = list(crossed(contoured(places)[0].reshape(t.shape) if contoured else values, inside, surfaces))
-    clear = np.exp(-depth) * np.prod([np.where(between, 1 - a, 1) for between, a, _ in found], axis=0)
+    through = np.exp(-depth)
+    clear = through.copy()
+    for between, a, _ in found:
+        clear[between] *= 1 - a
     reached = np.cumprod(np.concatenate([np.ones((len(t), 1)), clear[:, :-1]], axis=1), axis=1)
     weight = reached * -np.expm1(-depth)
-    rgba = np.concatenate([np.einsum("ij,ijk->ik", weight, transfer.color(values)), weight.sum(axis=1)[:, None]], axis=1)
+    color = np.zeros((*t.shape, 3))
+    color[inside] = transfer.color(values[inside])
+    rgba = np.concatenate([np.einsum("ij,ijk->ik", weight, color), weight.sum(axis=1)[:, None]], axis=1)
     for between, a, rgb in found:
-        rgba += (reached * np.exp(-depth) * between).sum(axis=1)[:, None] * a * np.append(rgb, 1)
-    return rgba.reshape(view.height, view.width, 4)
+        rgba += (reached * through * between).sum(axis=1)[:, None] * a * np.append(rgb, 1)
+    return rgba
 
 
 def trilinear_field(data, name="s"):
@@ -203,17 +234,19 @@ def trilinear_field(data, name="s"):
     values = vtk_to_numpy(data.GetPointData().GetArray(name)).reshape([len(a) for a in axes[::-1]]).astype(float)
 
     def at(places):
+        inside = np.logical_and.reduce([(x >= a[0]) & (x <= a[-1]) for a, x in zip(axes, places.T)])
         index, part = [], []
-        for axis, x in zip(axes, places.T):
+        for axis, x in zip(axes, places[inside].T):
             i = np.clip(np.searchsorted(axis, x, side="right") - 1, 0, len(axis) - 2)
             index.append(i)
             part.append((x - axis[i]) / (axis[i + 1] - axis[i]))
-        result = 0
+        found, result = 0, np.zeros(len(places))
         for c in range(8):
             bits = [c >> k & 1 for k in range(3)]
-            weight = np.prod([p if b else 1 - p for p, b in zip(part, bits)], axis=0)
-            result = result + weight * values[index[2] + bits[2], index[1] + bits[1], index[0] + bits[0]]
-        return result, np.all([(x >= a[0]) & (x <= a[-1]) for a, x in zip(axes, places.T)], axis=0)
+            x, y, z = (p if b else 1 - p for p, b in zip(part, bits))
+            found = found + x * y * z * values[index[2] + bits[2], index[1] + bits[1], index[0] + bits[0]]
+        result[inside] = found
+        return result, inside
     return at
 
 
