@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """First pictures of oceans, of fields that are zero almost everywhere, and of their films; zeros on land that no fill value declares."""
 import os
+import tempfile
 import unittest
 import warnings
 from pathlib import Path
@@ -37,6 +38,55 @@ def roms(h=1600.0):
     return xr.Dataset({"temp": (("s_rho", *places), 20 + 10 * np.broadcast_to(s[:, None, None], (8, *lon.shape)), {"units": "Celsius", "long_name": "potential temperature"}),
                        "zeta": (places, 0.6 + 0 * lon, {"units": "meter"}), "h": (places, floor, {"units": "meter"}), "hc": ((), 20.0), "Cs_r": ("s_rho", -s * s)},
                       {"s_rho": ("s_rho", s, attrs), "lon_rho": (places, lon, {"units": "degrees_east"}), "lat_rho": (places, lat, {"units": "degrees_north"})})
+
+
+def currents(u="u", v="v"):
+    """Output of ROMS or CROCO that has currents alone, between the centres of the cells: u grows along xi, v along eta."""
+    data = roms()
+    along, across = (np.arange(11) + 0.5)[None, None, :] + np.zeros((8, 11, 1)), (np.arange(10) + 0.5)[None, :, None] + np.zeros((8, 1, 12))
+    return data.drop_vars("temp").assign({u: (("s_rho", "eta_rho", "xi_u"), along, {"units": "meter second-1"}), v: (("s_rho", "eta_v", "xi_rho"), across, {"units": "meter second-1"})})
+
+
+class Currents(unittest.TestCase):
+    """Fields on the faces of cells, of a file without any at the centres, are brought there."""
+
+    def check(self, data, levels=8, names=("u", "v")):
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            grid = data.nephoscope.globe()
+        self.assertEqual(grid.n_points, levels * 11 * 12)
+        wind = np.asarray(grid["Wind"]).reshape(levels, 11, 12, 3)[:, 1:-1, 1:-1]
+        east, north, _ = frames(*(data[name].values[1:-1, 1:-1] for name in ("lon_rho", "lat_rho")))
+        rows = np.arange(12.0)[1:-1], np.arange(11.0)[1:-1, None]
+        angle = np.arctan2(*[np.sum(wind * axis, -1) for axis in (north, east)])
+        np.testing.assert_allclose(np.linalg.norm(wind, axis=-1), np.broadcast_to(np.hypot(*rows), wind.shape[:-1]), rtol=1e-5)
+        self.assertLess(np.abs(angle - np.arctan2(rows[1], rows[0])).max(), 0.03)  # the rows are not quite parallels
+        for name in names:
+            self.assertIn(f"'{name}' averaged from ", data.nephoscope.describe())
+
+    def test_of_levels(self):
+        data = currents()
+        self.check(data)
+        between = 0.5 * (data.lon_rho.values[:, 1:] + data.lon_rho.values[:, :-1]), 0.5 * (data.lat_rho.values[:, 1:] + data.lat_rho.values[:, :-1])
+        self.check(data.assign_coords({name: (("eta_rho", "xi_u"), values, data[f"{name[:3]}_rho"].attrs) for name, values in zip(("lon_u", "lat_u"), between)}))
+
+    def test_of_one_level(self):
+        self.check(currents("ubar", "vbar").isel(s_rho=-1, drop=True).drop_vars(["h", "hc", "Cs_r"]), 1, ("ubar", "vbar"))
+
+    def test_one_component(self):
+        for data, name in ((currents().drop_vars("v"), "u"), (currents().drop_vars("u"), "v")):
+            grid = data.nephoscope.globe()
+            self.assertEqual(grid.n_points, 8 * 11 * 12)
+            np.testing.assert_allclose(np.asarray(grid[name]).reshape(8, 11, 12)[3, 5, 1:-1], np.arange(12.0)[1:-1] if name == "u" else 5, rtol=1e-6)
+
+    def test_places_in_the_file_of_the_grid(self):
+        folder, data = Path(self.enterContext(tempfile.TemporaryDirectory())), currents()
+        places = ["lon_rho", "lat_rho", "h", "hc", "Cs_r"]
+        data.reset_coords()[places].to_netcdf(folder / "grid.nc")
+        data.drop_vars(places).to_netcdf(folder / "data.nc")
+        with self.assertRaisesRegex(ValueError, r"grid file of ROMS or CROCO, give it: nephoscope.open\(DATA, mesh=GRID\)"):
+            nephoscope.open(folder / "data.nc").nephoscope.globe()
+        self.check(nephoscope.open(folder / "data.nc", mesh=folder / "grid.nc"))
 
 
 class Ocean(unittest.TestCase):

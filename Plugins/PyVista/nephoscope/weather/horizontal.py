@@ -154,6 +154,7 @@ def _unknown(dataset, variable, dims, projection, missing: str) -> str:
     return (f"No {missing} were found for {variable.name!r}, whose grid is ({', '.join(dims)}). They are identified by standard_name, by units (degrees_east, "
             f"degrees_north), by grid_mapping and by name. There are: {listed([str(name) for name in dataset.variables])}. "
             "Name them: ds[NAME].attrs['units'] = 'degrees_east'. If the axes are lengths, the data are flat: ds.nephoscope.grid(x='...', y='...', z='...')." + (_remedy_of_list(dataset, dims[0]) if len(dims) == 1 else "")
+            + (" If lon_rho and lat_rho are in the grid file of ROMS or CROCO, give it: nephoscope.open(DATA, mesh=GRID)." if any(str(dim).startswith(("xi_", "eta_")) for dim in dims) else "")
             + (f" The grid mapping {mapping!r} is not a known one." if (mapping := mapping_of(dataset, variable)) and projection is None else ""))
 
 

@@ -67,7 +67,8 @@ def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = 
     return dataset if mesh is None else _with_mesh(dataset, open(mesh))
 
 
-MESH = ("clon", "clat", "clon_vertices", "clat_vertices", "lonCell", "latCell", "lonVertex", "latVertex", "verticesOnCell", "nEdgesOnCell", "zgrid", "z_ifc", "z_mc", "HHL", "HSURF", "topography_c", "grid_center_lon", "grid_center_lat", "grid_corner_lon", "grid_corner_lat")
+MESH = ("clon", "clat", "clon_vertices", "clat_vertices", "lonCell", "latCell", "lonVertex", "latVertex", "verticesOnCell", "nEdgesOnCell", "zgrid", "z_ifc", "z_mc", "HHL", "HSURF", "topography_c", "grid_center_lon", "grid_center_lat", "grid_corner_lon", "grid_corner_lat",
+        "lon_rho", "lat_rho", "h", "hc", "Cs_r", "mask_rho")  # the last ones: ROMS and CROCO
 
 
 def _with_mesh(dataset, mesh):

@@ -16,7 +16,7 @@ from .helpers import helpers
 from .land import SEA_MASKS, zeros_of_land
 from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
-from .stagger import to_centres
+from .stagger import centres_of, is_staggered, to_centres
 from .times import choose_time, is_member, time_dims
 from .units import UnitsError, converted, in_fractions, knows, plain, without_fill_values
 from .vertical import VerticalError, find_lengths, find_vertical, level_values, pressure_of_level
@@ -121,7 +121,11 @@ class Reading:
         if not level and any(len(dims) > 1 for dims in shapes):
             shapes = Counter({dims: count for dims, count in shapes.items() if len(dims) > 1})
         shapes = Counter({dims: count for dims, count in shapes.items() if dims}) or shapes
-        dims = max(shapes, key=lambda dims: (shapes[dims], -sum("stag" in str(dim) for dim in dims)))
+        centres = centres_of(self.dataset, shapes)
+        if centres is not None:
+            self.horizontal, self.example = find_horizontal(self.dataset, self.dataset[centres], level), centres
+            return
+        dims = max(shapes, key=lambda dims: (shapes[dims], -sum(is_staggered(dim) for dim in dims)))
         name = next(name for name, variable in self._numbers() if level <= set(variable.dims) and tuple(dim for dim in variable.dims if dim not in level) == dims)
         self.horizontal = find_horizontal(self.dataset, self.dataset[name], level)
         self.example = name
@@ -156,14 +160,16 @@ class Reading:
 
     def _is_field(self, variable) -> bool:
         if self.vertical is None:
-            return set(self.horizontal.dims) <= set(variable.dims)
+            rest = [dim for dim in variable.dims if dim not in self.horizontal.dims]
+            return set(self.horizontal.dims) <= set(variable.dims) or (
+                variable.ndim == len(self.horizontal.dims) > len(rest) and all(is_staggered(dim) and self._staggers(dim, variable.dims) for dim in rest))
         rest = [dim for dim in variable.dims if dim not in self.horizontal.dims and dim != self.vertical.dim]
         return variable.ndim == 1 + len(self.horizontal.dims) and len(rest) < variable.ndim and all(
             self._staggers(dim, variable.dims) for dim in rest) and (self.vertical.dim in variable.dims or any(self._near(dim, self.vertical.dim) for dim in rest))
 
     def _staggers(self, dim, dims) -> bool:
         """True if `dim` can stand for a grid dimension that is missing in `dims`."""
-        missing = [own for own in (*self.horizontal.dims, self.vertical.dim) if own not in dims]
+        missing = [own for own in (*self.horizontal.dims, *([self.vertical.dim] if self.vertical else [])) if own not in dims]
         return any(self._near(dim, own) for own in missing)
 
     def _near(self, dim, own) -> bool:
@@ -174,10 +180,11 @@ class Reading:
                 and variable.attrs.get("GRIB_typeOfLevel", "surface") in OTHER_HORIZONTAL]
 
     def plain_variables(self) -> list[str]:
-        """Variables exactly on the grid's points, which are used unchanged."""
+        """Variables exactly on the grid's points, which are used unchanged; staggered ones where there are no others and no winds of both."""
         wanted = set(self.horizontal.dims) | ({self.vertical.dim} if self.vertical else set())
         coordinates = {*self.horizontal.names, *self.dataset.dims}
-        return [name for name, variable in self._all_numbers() if set(variable.dims) == wanted and name not in coordinates]
+        found = [name for name, variable in self._all_numbers() if set(variable.dims) == wanted and name not in coordinates]
+        return found or [name for name, _ in self.field_variables() if name not in self.dataset.coords and not self.has_winds()]
 
     # Values
 

@@ -3,7 +3,35 @@
 """Averages values on staggered grids (Arakawa C) to the centres of the cells."""
 from __future__ import annotations
 
+import re
+
 import numpy as np
+
+from .horizontal import is_latitude, is_longitude
+
+_STAGGERED = re.compile(r"stag|_(u|v|psi|g)$|^[xy]q$")  # WRF, ROMS, MITgcm, MOM6
+
+
+def is_staggered(dim) -> bool:
+    """True if a dimension is by its name that of faces or corners of cells."""
+    return bool(_STAGGERED.search(str(dim)))
+
+
+def centres_of(dataset, shapes) -> str | None:
+    """The longitudes at the centres of the cells, if all fields, with the horizontal dimensions `shapes`, are on faces of the cells; None otherwise.
+
+    They may have no longitudes of their own. Of several grids the largest is that of the centres: the corners of ROMS are between them.
+    """
+    grids = [{variable.dims[-2:]: str(name) for name, variable in dataset.variables.items() if fits(str(name), variable) and variable.ndim >= 2} for fits in (is_longitude, is_latitude)]
+    sizes = dataset.sizes
+    found = [dims for dims in grids[0] if dims in grids[1] and dims not in shapes and all(len(shape) == 2 and set(shape) & set(dims) and _on_faces(sizes, shape, dims) for shape in shapes)]
+    if len(shapes) < 2 and any(shape in grids[0] for shape in shapes):
+        return None
+    return grids[0][max(found, key=lambda dims: sizes[dims[0]] * sizes[dims[1]])] if found else None
+
+
+def _on_faces(sizes, shape, dims) -> bool:
+    return any(map(is_staggered, shape)) and all(a == b or abs(sizes[a] - sizes[b]) == 1 for a, b in zip(shape, dims))
 
 
 def to_centres(dataset, array, wanted: list[str]):
