@@ -229,6 +229,54 @@ class Zeros(unittest.TestCase):
                 self.assertFalse(np.isnan(data.nephoscope.globe()[name]).any(), name)
 
 
+class Skewed(unittest.TestCase):
+    """A few values far from the others do not take the colours of these, and the scalar bar tells how many there are."""
+
+    def values(self):
+        """From 34 to 36, but fresh where rivers end: 3 of 121 places."""
+        values = 34 + (LAT[:, None] - 20) / 10 + 0 * LON
+        values[5, :3] = 5, 10, 2
+        return values
+
+    def bar(self, data, *names, **options):
+        plotter = data.nephoscope.plot(*names, screenshot=str(OUTPUT), window_size=(200, 200), **options)
+        self.addCleanup(plotter.close)
+        (bar,) = plotter.scalar_bars.values()
+        return bar.GetLookupTable().GetRange(), bar.GetTitle().split("\n")
+
+    def test_salinity(self):
+        surface = xr.Dataset({"sos": (("lat", "lon"), self.values(), {"standard_name": "sea_surface_salinity", "units": "psu"})}, PLACES)
+        water = ocean(self.values(), "so", "sea_water_salinity", units="psu")
+        for data, share in ((surface, "2.5 %"), (water, "2.5 %"), (water.isel(lon=1), "9.1 %")):
+            with self.subTest(dict(data.sizes)):
+                limits, title = self.bar(data)
+                if share == "9.1 %":  # of more than 5 % on one side, all have colours
+                    self.assertAlmostEqual(limits[0], 10)
+                    continue
+                np.testing.assert_allclose(limits, (34, 36), atol=1e-4)
+                self.assertEqual(title[-1], f"{share} beyond")
+        limits, title = self.bar(surface, projection="map")
+        self.assertIn("[psu], 2.5 % beyond", title[0])
+
+    def test_ranges_that_stay(self):
+        spread = 34 + (LAT[:, None] - 20) / 10 + 0 * LON
+        spot = np.exp(-((LON + 30) ** 2 + (LAT[:, None] - 30) ** 2) / 8)
+        for values, options, expected in ((spread, {}, (34, 36)), (spot, {}, (spot.min(), 1)), (self.values(), {"clim": (0, 40)}, (0, 40)), (self.values(), {"log_scale": True}, (2, 36))):
+            limits, title = self.bar(xr.Dataset({"field": (("lat", "lon"), values)}, PLACES), **options)
+            np.testing.assert_allclose(limits, expected, atol=1e-4)
+            self.assertNotIn("beyond", "".join(title))
+
+    def test_of_films(self):
+        """The range of all steps, of which the second has the fresh water."""
+        data = xr.Dataset({"sos": (("time", "lat", "lon"), np.stack([np.maximum(self.values(), 34), self.values()]))}, {"time": np.array(["2020-01-01", "2020-01-02"], "M8[ns]"), **PLACES})
+        plotter = pyvista.Plotter(off_screen=True, window_size=(300, 300))
+        self.addCleanup(plotter.close)
+        nephoscope.animate(plotter, data, "sos")
+        (bar,) = plotter.scalar_bars.values()
+        self.assertGreater(bar.GetLookupTable().GetRange()[0], 30)
+        self.assertRegex(bar.GetTitle(), "[12]([.][0-9])? % beyond")
+
+
 class Sheer(unittest.TestCase):
     """Fields of one level that are zero almost everywhere show the ground there."""
 

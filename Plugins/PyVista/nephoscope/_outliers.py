@@ -14,6 +14,9 @@ from ._pipeline import level_of_caller
 USUAL = (9999.0, 99999.0, 999.0, 999999.0, 8888.0, 32767.0, 32768.0, 65535.0, 1e10, 1e15, 1e20, 1e30, 1e35, 1e36, 1e37, 9.999e20, 9.96921e36, 3.4028235e38)  # of either sign
 FAR, FARTHER = 5.0, 1000.0  # times the range of all others: the distance to them of a usual fill value, and of another one
 SMALL, MOSTLY = 0.05, 0.5  # of the greatest value, and of all values: a field that is zero almost everywhere
+BULK = (5.0, 25.0, 75.0, 95.0)  # percentiles: the values between the outer ones keep their own colours, and those within FENCE times the distance of the inner ones beyond these
+FENCE = 3.0  # Tukey's for values that are far out
+NARROW = 1 / 3  # of the range of all values: where the bulk is narrower, it has the whole range of colours
 MOST = 4  # fill values of one array
 HUGE, SANE = 1e15, 1e9  # where the median is below the second, magnitudes above the first are no values, even if they differ
 
@@ -24,6 +27,30 @@ def is_mostly_zero(values: np.ndarray) -> bool:
     if not finite.size or finite.min() < 0 or finite.max() <= 0:
         return False
     return bool(np.mean(finite <= SMALL * finite.max()) > MOSTLY)
+
+
+def skewed_range(values: np.ndarray) -> tuple[float, float] | None:
+    """The range of all values but those far out, at most 5 % on either side, if these would take most of the colours, as rivers do in salinity; otherwise None.
+
+    None also for fields that are zero almost everywhere, and for values that look like fill values, of which `warn_of_fill_values` warns.
+    """
+    finite = np.asarray(values, float)[np.isfinite(values)]
+    if not finite.size or is_mostly_zero(finite) or fill_values(np.asarray(values))[1].size < finite.size:
+        return None
+    lowest, lower, upper, highest = np.percentile(finite, BULK)
+    fence = FENCE * (upper - lower)
+    inside = finite[(finite >= min(lower - fence, lowest)) & (finite <= max(upper + fence, highest))]
+    low, high = inside.min(), inside.max()
+    return (float(low), float(high)) if 0 < high - low < NARROW * (finite.max() - finite.min()) else None
+
+
+def share_outside(values: np.ndarray, clim: tuple[float, float] | None) -> str:
+    """``"2 % beyond"``: how many of the finite values are outside a range of colours; empty if none is."""
+    finite = np.asarray(values, float)[np.isfinite(values)]
+    if clim is None or not finite.size:
+        return ""
+    share = 100 * float(np.mean((finite < clim[0]) | (finite > clim[1])))
+    return f"{_percent(share)} beyond" if share else ""
 
 
 def fill_values(values: np.ndarray) -> tuple[list[float], np.ndarray]:

@@ -92,7 +92,8 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         _drawn(plotter, series, draw)
     elif whole:
         darken(plotter)
-        _drawn(plotter, series, _first_picture(series, draw, look))
+        first = _first_picture(series, draw, look)  # which has the limits of all steps, but for logarithmic colours
+        _drawn(plotter, series, first) if look.get("log_scale") else first(plotter, series.mesh)
     else:
         from ..cells import add_cells
         add_cells(plotter, series.mesh, draw, **look)

@@ -85,10 +85,12 @@ def make_room(plotter: pyvista.BasePlotter, as_high: bool) -> None:
 
 def set_title(bar: vtkScalarBarActor, text: str) -> None:
     """In short lines above an upright bar, in one line above a lying one."""
+    text, _, note = text.partition("\n")
     if not bar.GetOrientation():
+        text = f"{text}, {note}" if note else text
         bar.SetTitle(f"{textwrap.shorten(text, 60)}\n ")
         bar.SetBarRatio(0.25)
         return
     name, bracket, units = text.partition(" [")
-    bar.SetTitle("\n".join([*textwrap.wrap(name, 14), *["[" + units] * bool(bracket)]))
+    bar.SetTitle("\n".join([*textwrap.wrap(name, 14), *["[" + units] * bool(bracket), *[note] * bool(note)]))
     bar.SetVerticalTitleSeparation(10)  # pixels: the title is not on the upper label

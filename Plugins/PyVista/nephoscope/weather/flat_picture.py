@@ -12,7 +12,7 @@ from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .bars import finish_bars, make_room
 from .exaggeration import say
-from .look import surface_look
+from .look import surface_look, with_share
 from .picture import BESIDE, refuse_volume, without_missing
 from .sections import unrolled
 from .view import PicturePlotter, set_view
@@ -54,7 +54,7 @@ def shape_of_section(plotter: pyvista.BasePlotter) -> float:
 
 def draw_section(plotter: pyvista.BasePlotter, sheet: pyvista.StructuredGrid, scales: dict[str, tuple[str, float]], scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
     """As `plotted_section`, into a plotter. `sheet` and `scales`: what `unrolled` returns."""
-    _draw_section(plotter, sheet, scalars, {"scalar_bar_args": BESIDE, **options}, "y", scales)
+    title = _draw_section(plotter, sheet, scalars, {"scalar_bar_args": BESIDE, **options}, "y", scales, title)
     finish_bars(plotter, title)
     make_room(plotter, as_high=False)
 
@@ -66,7 +66,7 @@ def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str 
         _draw_volume(plotter, grid, scalars, options)
     else:
         flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
-        _draw_section(plotter, grid, scalars, options, flat, _lengths(grid))
+        title = _draw_section(plotter, grid, scalars, options, flat, _lengths(grid), title)
     say(plotter, grid)
     finish_bars(plotter, title)
     make_room(plotter, as_high=False)
@@ -86,11 +86,15 @@ def _draw_volume(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: s
     plotter.reset_camera_clipping_range()
 
 
-def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, flat: str, scales: dict[str, tuple[str, float]]) -> None:
+def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, flat: str, scales: dict[str, tuple[str, float]],
+                  title: Callable[[str], str]) -> Callable[[str], str]:
+    """Returns the titles of scalar bars."""
     refuse_volume(options)
     name = default_scalars(grid)[1] if scalars is None else scalars
     association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
-    plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **surface_look(plotter, grid, name, association, options, over_ground=False)})
+    look = surface_look(plotter, grid, name, association, options, over_ground=False)
+    title = with_share(title, grid, name, association, options, look)
+    plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **look})
     plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
     _add_scales(plotter, grid, flat, scales)
     plotter.enable_parallel_projection()
@@ -99,6 +103,7 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
     plotter.camera.parallel_scale = 0.5 * max(across / aspect / WIDE, up / HIGH) or 1.0
     plotter.camera.SetWindowCenter(0.06, 0)  # room for the scalar bar
     plotter.reset_camera_clipping_range()
+    return title
 
 
 def _lengths(grid: pyvista.DataSet) -> dict[str, tuple[str, float]]:

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+from typing import Any, Callable
 
 import numpy as np
 import pyvista
 
 from .._fields import PRESET_ENDING, find_preset, is_bright, preset_of_field, presets
-from .._outliers import is_mostly_zero, warn_of_fill_values
+from .._outliers import is_mostly_zero, share_outside, skewed_range, warn_of_fill_values
 from .._over_time import follows, values_over_time
 from .roles import ROLES, candidates
 from .units import knows, plain
@@ -62,11 +62,13 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
     if isinstance(options.get("cmap"), str) and options["cmap"] in presets():
         preset = presets()[options.pop("cmap")]
     values = values_over_time(grid, name, association)
+    bulk = skewed_range(values) if options.get("clim") is None and not options.get("log_scale") else None
     over_time = (float(values.min()), float(values.max())) if follows(grid) and values.size and np.ptp(values) > 0 else None
     if preset is None or "cmap" in options:
         sheer = preset is None and options.get("clim") is None and not options.get("log_scale") and is_mostly_zero(values)
-        return {**({"opacity": "linear"} if sheer else {}), **({} if over_time is None or options.get("log_scale") else {"clim": over_time}), **options}
-    clim = options.get("clim") or preset.clim(values) or over_time
+        clim = None if options.get("log_scale") else bulk or over_time
+        return {**({"opacity": "linear"} if sheer else {}), **options, **({} if clim is None or options.get("clim") is not None else {"clim": clim})}
+    clim = options.get("clim") or preset.clim(values) or (None if preset.name in SHEER else bulk) or over_time
     colours = preset.colour_map(is_bright(plotter.background_color))
     if preset.name in SHEER:
         options = {"opacity": "linear", **options}
@@ -74,3 +76,9 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
             return {**({} if clim is None else {"clim": clim}), **options}
         colours = len(colours) * ["white"] if preset.name in WHITE and over_ground else colours
     return {"cmap": colours, **({} if clim is None else {"clim": clim}), **options}
+
+
+def with_share(title: Callable[[str], str], grid: pyvista.DataSet, name: str, association: str, asked: dict[str, Any], look: dict[str, Any]) -> Callable[[str], str]:
+    """`title` for scalar bars, with a second line that tells how many values are beyond the colours of the array `name`, unless a range was asked for."""
+    told = "" if asked.get("clim") is not None else share_outside(values_over_time(grid, name, association), look.get("clim"))
+    return lambda array: title(array) + (f"\n{told}" if told and array == name else "")

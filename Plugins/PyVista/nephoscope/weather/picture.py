@@ -15,7 +15,7 @@ from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface
 from .bars import finish_bars, make_room
 from .horizontal import GridError, section
-from .look import surface_look
+from .look import surface_look, with_share
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .sea import is_sea, look_of_water
 from .view import PicturePlotter, is_place, look_down, picture_theme, set_view
@@ -85,9 +85,14 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         name = default_scalars(grid)[1] if scalars is None else scalars
         association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
         sheet = _present(grid, name, association)
-        plotter.add_mesh(sheet, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, **surface_look(plotter, grid, name, association, options)})
+        look = surface_look(plotter, grid, name, association, options)
+        title = with_share(title, grid, name, association, options, look)
+        plotter.add_mesh(sheet, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, **look})
     else:
-        options = look_of_water(grid, default_scalars(grid)[1] if scalars is None else scalars, options, VOLUME) if sea else options
+        if sea:
+            name, asked = default_scalars(grid)[1] if scalars is None else scalars, options
+            options = look_of_water(grid, name, options, VOLUME)
+            title = with_share(title, grid, name, association_of(grid, name, "point", "scalars"), asked, options)
         add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
     finish_bars(plotter, title)
     if on_globe and (view is None or is_place(view)):

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 import pyvista
 
+from .._fields import preset_of_field
 from .._medium import association_of
-from .._outliers import is_mostly_zero
+from .._outliers import is_mostly_zero, skewed_range
 from .._over_time import values_over_time
 
 DRY = 0.5  # of the depth: the most that points are above the level of the sea, such as those of tides
@@ -34,6 +35,9 @@ def look_of_water(grid: pyvista.DataSet, name: str, options: dict[str, Any], tra
     one of those that are named by `transparent`."""
     if any(option in options for option in ("opacity", *transparent)):
         return options
-    if is_mostly_zero(values_over_time(grid, name, association_of(grid, name, "point", "scalars"))):
+    values = values_over_time(grid, name, association_of(grid, name, "point", "scalars"))
+    if is_mostly_zero(values):
         return options
-    return {"opacity": 1.0, "opacity_unit_distance": OPAQUE * grid.length, **options}
+    preset = preset_of_field(name, grid)
+    bulk = skewed_range(values) if not any(key in options for key in ("clim", "preset", "log_scale")) and (preset is None or preset.clim(values) is None) else None
+    return {"opacity": 1.0, "opacity_unit_distance": OPAQUE * grid.length, **({} if bulk is None else {"clim": bulk}), **options}
