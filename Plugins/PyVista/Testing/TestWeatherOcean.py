@@ -310,6 +310,23 @@ class Sheer(unittest.TestCase):
         self.assertGreater((below[..., 0] > 200).sum(), 8000)
         self.assertEqual((below[..., 2] > 100).sum(), 0)
 
+    def test_the_near_side_hides_the_far_one_in_films(self):
+        """Beside the ground, which is lower than wide cells, where the near side is missing; rows northward or southward."""
+        longitudes, latitudes = np.arange(0, 360, 15.0), np.arange(-82.5, 90, 15.0)
+        field = np.where((longitudes < 90) | (longitudes > 270), 2.0, 1.0) * np.ones((len(latitudes), 1))
+        field[(np.abs(latitudes) > 25)[:, None] & (field == 2)] = np.nan
+        data = xr.Dataset({"field": (("time", "lat", "lon"), np.stack([field, field]))}, {"time": np.array(["2020-01-01", "2020-01-02"], "M8[ns]"),
+                          "lat": ("lat", latitudes, {"units": "degrees_north"}), "lon": ("lon", longitudes, {"units": "degrees_east"})})
+        for turned in (data, data.isel(lat=slice(None, None, -1))):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(300, 300))
+            self.addCleanup(plotter.close)
+            nephoscope.animate(plotter, turned, "field", cmap=["blue", "red"])
+            plotter.camera_position = [(3.2e7, 0, 0), (0, 0, 0), (0, 0, 1)]
+            plotter.remove_scalar_bar()
+            picture = plotter.screenshot(return_img=True)[60:].astype(int)
+            self.assertGreater((picture[..., 0] > 200).sum(), 5000)
+            self.assertEqual(((picture[..., 2] > 80) & (picture[..., 1] < 25)).sum(), 0)  # blue, not the sea of the ground
+
     def test_aerosol_has_not_the_colour_of_deserts(self):
         table = self.plotted(0.3 + np.random.default_rng(0).random((len(LAT), len(LON))), "aod")
         self.assertGreater(np.ptp(table.values[-1, :3].astype(int)), 100)

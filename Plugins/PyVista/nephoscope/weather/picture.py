@@ -62,6 +62,18 @@ def _present(grid: pyvista.DataSet, name: str, association: str) -> pyvista.Data
     return grid.extract_points(there, adjacent_cells=False)
 
 
+def _far_side(sheet: pyvista.DataSet) -> str | None:
+    """The faces of a globe of rows and columns that its far side shows, "back" or "front", so that they are not seen beside the ground where the near side is transparent; None if they differ."""
+    if not isinstance(sheet, pyvista.StructuredGrid) or sheet.dimensions[2] != 1:
+        return None
+    points = np.asarray(sheet.points).reshape(*sheet.dimensions[1::-1], 3)
+    across, up = points[1:, 1:] - points[:-1, :-1], points[1:, :-1] - points[:-1, 1:]
+    outward = np.einsum("ijk,ijk->ij", np.cross(across, up), points[:-1, :-1])
+    largest = np.nanmax(np.abs(outward), initial=0)
+    signs = np.sign(outward[np.abs(outward) > 1e-6 * largest])  # without cells that end in a pole
+    return None if not signs.size or signs.min() != signs.max() else "back" if signs[0] > 0 else "front"
+
+
 def is_untouched(plotter: pyvista.BasePlotter) -> bool:
     """True for a plotter that has nothing but the defaults of PyVista."""
     alone = plotter.shape == (1, 1) and not plotter.renderer.actors and not plotter.renderer.camera_set
@@ -87,7 +99,8 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         sheet = _present(grid, name, association)
         look = surface_look(plotter, grid, name, association, options)
         title = with_share(title, grid, name, association, options, look)
-        plotter.add_mesh(sheet, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, **look})
+        culling = _far_side(sheet) if on_globe and sheet is grid else None
+        plotter.add_mesh(sheet, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, "culling": culling, **look})
     else:
         if sea:
             name, asked = default_scalars(grid)[1] if scalars is None else scalars, options
