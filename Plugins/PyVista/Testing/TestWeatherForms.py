@@ -66,6 +66,18 @@ class Forms(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
+    def test_a_tripolar_grid_on_a_map(self):
+        """It fills the map from side to side, without the row that closes the fold, in pictures of fields, of integrals and in films."""
+        for half, halo in ((False, False), (True, False), (False, True), (True, True)):
+            with self.subTest(half=half, halo=halo):
+                grid = tripolar(half, halo).nephoscope.globe(projection="map")
+                west, east, south, north = np.degrees(np.array(grid.bounds[:4]) / 6371000)
+                self.assertTrue(355 < east - west < 372 and abs(south - 30) < 1 and north <= 90, grid.bounds)
+                self.assertEqual(grid.dimensions[:2], (97, 24))
+                self.assertIn("Wind", grid.point_data)
+                series = xr.concat([tripolar(half, halo)] * 2, "time").assign_coords(time=np.array(["2020-01-01", "2020-01-02"], "M8[ns]")).nephoscope.series(projection="map")
+                np.testing.assert_array_equal(series[1]["tos"], grid["tos"])
+
     def test_a_cubed_sphere_is_closed(self):
         for take in (slice(None), slice(None, None, -1)):
             grid = cubed_sphere().isel(lev=take).nephoscope.globe(radius=1e5)

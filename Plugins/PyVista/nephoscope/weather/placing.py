@@ -50,6 +50,8 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     if reading.vertical and reading.vertical.kind in ("depth", "ocean sigma"):
         options, height = {"mask_below_ground": False, **options}, HEIGHT if reading.horizontal.missing is not None or reading.vertical.kind == "ocean sigma" else False
     ground = ground_mesh(reading, air)
+    if options.get("projection") == "map":
+        mesh, ground = _without_fold(reading, mesh), _without_fold(reading, ground)
     hides = reading.vertical is not None or ground is not None and "sp" in ground.point_data
     if ground is not None and "orog" in ground.point_data:
         ground.point_data["orog"] -= np.float32(NEAR)
@@ -68,6 +70,17 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
         choose_active_scalars(grid)
     _forget_wind(grid, names, calm)
     return grid
+
+
+def _without_fold(reading: Reading, mesh: pyvista.DataSet | None) -> pyvista.DataSet | None:
+    """The mesh without the row that closes the northern fold: its longitudes run backward, so that on a map it would lie far beside the others."""
+    if mesh is None or reading.horizontal.fold is None or reading.horizontal.fold.dropped:
+        return mesh
+    columns, rows, levels = mesh.dimensions
+    cut = mesh.extract_subset((0, columns - 1, 0, rows - 2, 0, levels - 1))
+    cut.GetFieldData().ShallowCopy(mesh.GetFieldData())
+    cut.point_data.active_scalars_name = mesh.point_data.active_scalars_name
+    return cut
 
 
 def _warn_of_gaps(mesh: pyvista.DataSet, reading: Reading) -> None:
@@ -121,6 +134,7 @@ def place_sheet(reading: Reading, fields: dict[str, np.ndarray], units: str, opt
     for name, values in fields.items():
         mesh.point_data[name] = np.ascontiguousarray(values, dtype=np.float32).ravel()
         note_units(mesh, name, units)
+    mesh = _without_fold(reading, mesh) if options.get("projection") == "map" else mesh
     return to_globe(mesh, height=False, wind=False, level_units="m", mask_below_ground=False, **options)
 
 
