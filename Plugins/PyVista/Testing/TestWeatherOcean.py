@@ -297,6 +297,15 @@ class Sheer(unittest.TestCase):
                 self.assertEqual(table.values[0, 3], 255 if opaque else 0)
                 self.assertEqual(table.values[-1, 3], 255)
 
+    def test_zero_is_transparent_with_a_list_of_colours(self):
+        spot = np.exp(-((LON + 30) ** 2 + (LAT[:, None] - 30) ** 2) / 8)
+        data = xr.Dataset({"field": (("lat", "lon"), spot)}, PLACES)
+        for colours in (["blue", "red"], ["blue", "green", "red"]):
+            plotter = data.nephoscope.plot("field", cmap=colours, screenshot=str(OUTPUT), window_size=(100, 100))
+            self.addCleanup(plotter.close)
+            table = plotter.mapper.lookup_table.values
+            self.assertEqual((table[0, 3], table[-1, 3]), (0, 255))
+
     def test_the_near_side_hides_the_far_one(self):
         """Also where the ground below wide cells does not, and with values missing elsewhere."""
         longitudes, latitudes = np.arange(-180, 180, 20.0), np.arange(-80, 81, 20.0)

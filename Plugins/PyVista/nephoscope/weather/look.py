@@ -67,6 +67,8 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
     if preset is None or "cmap" in options:
         sheer = preset is None and options.get("clim") is None and not options.get("log_scale") and is_mostly_zero(values)
         clim = None if options.get("log_scale") else bulk or over_time
+        if sheer and isinstance(options.get("cmap"), (list, tuple)):
+            options["cmap"] = [options["cmap"][i * len(options["cmap"]) // 256] for i in range(256)]  # as many as PyVista's "linear" has opacities
         return {**({"opacity": "linear"} if sheer else {}), **options, **({} if clim is None or options.get("clim") is not None else {"clim": clim})}
     clim = options.get("clim") or preset.clim(values) or (None if preset.name in SHEER else bulk) or over_time
     colours = preset.colour_map(is_bright(plotter.background_color))
