@@ -5,37 +5,69 @@
 #define JoinedSurfaces_h
 
 #include "vtkAppendPolyData.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace nephoscope
 {
 
+/** The array that surfaces are coloured by: the name, empty if none, and whether it is on cells. */
+struct SurfaceColorArray
+{
+  std::string Name;
+  bool OnCells = false;
+
+  bool operator==(const SurfaceColorArray& other) const
+  {
+    return this->Name == other.Name && this->OnCells == other.OnCells;
+  }
+
+  vtkDataSetAttributes* Of(vtkPolyData* surface) const
+  {
+    return surface->GetAttributes(this->OnCells ? vtkDataObject::CELL : vtkDataObject::POINT);
+  }
+};
+
+/** In joined surfaces of which some lack the coloured array: 1 where they do, 0 elsewhere. */
+constexpr const char* withoutColorName = "NephoscopeWithoutColor";
+
 class JoinedSurfaces
 {
 public:
-  /** Blocks without polygonal data are left out; each field array comes from the first block that has it. */
-  vtkPolyData* Join(vtkCompositeDataSet* data)
+  /**
+   * Blocks without polygonal data are left out; each field array comes from the first block that has it. Of other arrays only those remain that all
+   * blocks have, and the coloured one, which is 0 in the others.
+   */
+  vtkPolyData* Join(vtkCompositeDataSet* data, const SurfaceColorArray& colored)
   {
     vtkMTimeType time = data->GetMTime();
     forEachBlock(data, [&](vtkPolyData* block) { time = std::max(time, block->GetMTime()); });
-    if (data == this->JoinedFrom && time == this->JoinedAt)
+    if (data == this->JoinedFrom && time == this->JoinedAt && colored == this->Colored)
     {
       return this->Joined;
     }
     this->JoinedFrom = data;
     this->JoinedAt = time;
+    this->Colored = colored;
+    vtkDataArray* model = this->FindPartial(data);
     vtkNew<vtkAppendPolyData> append;
     vtkNew<vtkFieldData> fields;
     forEachBlock(data, [&](vtkPolyData* block) {
-      append->AddInputData(block);
+      const vtkSmartPointer<vtkPolyData> complete = this->Complete(block, model);
+      append->AddInputData(complete);
       for (int i = 0; i < block->GetFieldData()->GetNumberOfArrays(); ++i)
       {
         vtkAbstractArray* array = block->GetFieldData()->GetAbstractArray(i);
@@ -56,6 +88,49 @@ public:
   }
 
 private:
+  /** The coloured array of the first block that has it, if others do not; otherwise null. */
+  vtkDataArray* FindPartial(vtkCompositeDataSet* data) const
+  {
+    vtkDataArray* model = nullptr;
+    bool isPartial = false;
+    forEachBlock(data, [&](vtkPolyData* block) {
+      vtkDataArray* array = this->Colored.Of(block)->GetArray(this->Colored.Name.c_str());
+      isPartial = isPartial || !array;
+      model = model ? model : array;
+    });
+    return isPartial ? model : nullptr;
+  }
+
+  /** A copy that shares the arrays, with the coloured one and what tells where it has been missing; without a model, the block. */
+  vtkSmartPointer<vtkPolyData> Complete(vtkPolyData* block, vtkDataArray* model) const
+  {
+    if (!model)
+    {
+      return block;
+    }
+    auto result = vtkSmartPointer<vtkPolyData>::New();
+    result->ShallowCopy(block);
+    vtkDataSetAttributes* arrays = this->Colored.Of(result);
+    const vtkIdType count =
+      this->Colored.OnCells ? result->GetNumberOfCells() : result->GetNumberOfPoints();
+    const bool lacks = !arrays->HasArray(model->GetName());
+    vtkNew<vtkUnsignedCharArray> without;
+    without->SetName(withoutColorName);
+    without->SetNumberOfTuples(count);
+    without->FillValue(lacks ? 1 : 0);
+    arrays->AddArray(without);
+    if (lacks)
+    {
+      auto array = vtk::TakeSmartPointer(model->NewInstance());
+      array->SetName(model->GetName());
+      array->SetNumberOfComponents(model->GetNumberOfComponents());
+      array->SetNumberOfTuples(count);
+      array->Fill(0.0);
+      arrays->AddArray(array);
+    }
+    return result;
+  }
+
   template <typename Work>
   static void forEachBlock(vtkCompositeDataSet* data, Work work)
   {
@@ -72,6 +147,7 @@ private:
 
   vtkCompositeDataSet* JoinedFrom = nullptr; // not to be looked into
   vtkMTimeType JoinedAt = 0;
+  SurfaceColorArray Colored;
   vtkSmartPointer<vtkPolyData> Joined;
 };
 

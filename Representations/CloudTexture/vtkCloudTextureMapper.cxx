@@ -12,6 +12,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
@@ -20,11 +21,13 @@
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShader.h"
 #include "vtkShaderProgram.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,7 +125,7 @@ void vtkCloudTextureMapper::ComputeBounds()
     this->Superclass::ComputeBounds();
     return;
   }
-  this->Internals->Blocks.Join(composite)->GetBounds(this->Bounds);
+  this->Internals->Blocks.Join(composite, this->GetColoredArray())->GetBounds(this->Bounds);
 }
 
 void vtkCloudTextureMapper::ShallowCopy(vtkAbstractMapper* other)
@@ -177,7 +180,7 @@ void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     this->Superclass::RenderPiece(renderer, actor);
     return;
   }
-  vtkPolyData* joined = own.Blocks.Join(blocks);
+  vtkPolyData* joined = own.Blocks.Join(blocks, this->GetColoredArray());
   if (!own.ForBlocks)
   {
     own.ForBlocks = vtkSmartPointer<vtkCloudTextureMapper>::New();
@@ -205,10 +208,50 @@ void vtkCloudTextureMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   this->PrepareVolume();
   this->ChooseWaves();
   this->CurrentInput = this->Internals->Surface.Surface;
+  actor->GetProperty()->GetDiffuseColor(this->Internals->SolidColor);
   if (this->CurrentInput)
   {
     this->Superclass::RenderPieceStart(renderer, actor);
   }
+}
+
+nephoscope::SurfaceColorArray vtkCloudTextureMapper::GetColoredArray()
+{
+  const bool onCells = this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+  const bool isNamed = this->ScalarVisibility && this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME &&
+    (onCells || this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  const char* name = isNamed ? this->GetArrayName() : nullptr;
+  return { name ? name : "", onCells };
+}
+
+// Blocks without the array have the colour of the actor, as other surfaces do.
+vtkUnsignedCharArray* vtkCloudTextureMapper::MapScalars(
+  vtkDataSet* input, double alpha, int& cellFlag)
+{
+  vtkUnsignedCharArray* colors = this->Superclass::MapScalars(input, alpha, cellFlag);
+  vtkDataArray* without = input && colors
+    ? input->GetAttributes(cellFlag ? vtkDataObject::CELL : vtkDataObject::POINT)
+        ->GetArray(nephoscope::withoutColorName)
+    : nullptr;
+  double color[4] = { 0, 0, 0, 255 * alpha };
+  std::transform(this->Internals->SolidColor, this->Internals->SolidColor + 3, color,
+    [](double c) { return std::round(255 * c); });
+  for (vtkIdType i = 0; without && i < colors->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; without->GetComponent(i, 0) > 0 && c < colors->GetNumberOfComponents(); ++c)
+    {
+      colors->SetComponent(i, c, color[c]);
+    }
+  }
+  return colors;
+}
+
+int vtkCloudTextureMapper::CanUseTextureMapForColoring(vtkDataObject* input)
+{
+  auto* surface = vtkDataSet::SafeDownCast(input);
+  return surface && surface->GetPointData()->HasArray(nephoscope::withoutColorName)
+    ? 0
+    : this->Superclass::CanUseTextureMapForColoring(input);
 }
 
 void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)

@@ -26,6 +26,11 @@
 class vtkDataObject;
 class vtkShaderProgram;
 
+namespace nephoscope
+{
+struct SurfaceColorArray;
+}
+
 class VTKNEPHOSCOPEREPRESENTATIONSCLOUDTEXTURE_EXPORT vtkCloudTextureMapper
   : public vtkOpenGLPolyDataMapper
 {
@@ -262,11 +267,26 @@ public:
   const char* GetSecondCoordinatesName() const { return this->CoordinatesNames[1].c_str(); }
   ///@}
 
-  /** Also draws composite data sets: all their polygonal blocks as one surface. */
+  /**
+   * Also draws composite data sets: all their polygonal blocks as one surface. Blocks that lack the coloured array (by the scalar modes for field data) have
+   * the colour of the actor.
+   */
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  using Superclass::MapScalars;
+  vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
+  int CanUseTextureMapForColoring(vtkDataObject* input) override;
+#ifndef __VTK_WRAP__
+  nephoscope::SurfaceColorArray GetColoredArray();
+#endif
   void ShallowCopy(vtkAbstractMapper* other) override;
-  bool HasOpaqueGeometry() override { return false; }
-  bool HasTranslucentPolygonalGeometry() override { return true; }
+  bool HasOpaqueGeometry() override
+  {
+    return false;
+  }
+  bool HasTranslucentPolygonalGeometry() override
+  {
+    return true;
+  }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

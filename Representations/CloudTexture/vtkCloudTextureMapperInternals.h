@@ -37,6 +37,7 @@ struct vtkCloudTextureMapper::vtkInternals
   vtkSmartPointer<vtkCloudTextureMapper> ForBlocks;
   vtkMTimeType ForBlocksTime = 0;
   nephoscope::TexturedSurface Surface;
+  double SolidColor[3] = { 1, 1, 1 }; // of the actor
   Key MadeFrom{ nullptr, 0, "", "", "", 0.0, 0.0, "", false, false, 0.0, 0.0 };
   std::string LastError, LastWarning, LastThickness, LastWavesError, LastVolume;
   nephoscope::CloudThicknessPass Thickness;

@@ -209,15 +209,40 @@ def check_density_volume():
     check(abs(after[50, 50] - (1 - math.exp(-1.6))) < 0.01, "a volume that changes is not drawn anew")
 
 
-def check_blocks():
-    """Blocks of a surface are drawn as the surface: one length for all."""
-    pictures = []
-    whole = sheet()
+def halves_of(whole):
+    """The surfaces with x above and below 0."""
     halves = [pvs.Clip(Input=whole, Invert=i) for i in (0, 1)]
     for half in halves:
         half.ClipType.Normal = [1, 0, 0]
         half.ClipType.Origin = [0, 0, 0]
-    blocks = pvs.GroupDatasets(Input=[pvs.ExtractSurface(Input=half) for half in halves])
+    return [pvs.ExtractSurface(Input=half) for half in halves]
+
+
+def check_colors_of_some_blocks():
+    """A block that lacks the coloured array does not take the colours of the others, and has the colour that it has in Surface."""
+    right, left = halves_of(sheet())
+    elevation = pvs.Elevation(Input=right, LowPoint=[-0.5, 0, 0], HighPoint=[0.5, 0, 0])
+    for association, colored in (("POINTS", elevation), ("CELLS", pvs.PointDatatoCellData(Input=elevation))):
+        for order in (1, -1):
+            pictures = []
+            for representation in ("Surface", CLOUDS):
+                view = sheet_view()
+                display = compose(pvs.GroupDatasets(Input=[colored, left][::order]), view, (association, "Elevation"), representation)
+                display.Ambient, display.Diffuse, display.DiffuseColor, display.AmbientColor = 1, 0, [0, 1, 0], [0, 1, 0]
+                display.CloudTextureCoverage, display.CloudTextureOpticalDepth, display.CloudTextureRelief = 1, 20, 0
+                display.CloudTextureThinColor = display.CloudTextureThickColor = [1, 1, 1]
+                colors = pvs.GetColorTransferFunction("Elevation")
+                colors.RGBPoints, colors.ColorSpace = [0, 1, 0, 0, 1, 0, 0, 1], "RGB"
+                pictures.append(image(view))
+            check(pictures[1][:, :140, 1].min() > 250 and pictures[1][:, 160:, 1].max() < 5, f"{association}: colours of blocks")
+            check_same(*pictures, f"colours of blocks by {association}", largest=255, mean=0.5)
+
+
+def check_blocks():
+    """Blocks of a surface are drawn as the surface: one length for all."""
+    pictures = []
+    whole = sheet()
+    blocks = pvs.GroupDatasets(Input=halves_of(whole))
     for source in (whole, blocks):
         view = sheet_view()
         solid(compose(source, view, ("POINTS", ""), CLOUDS), [1, 1, 1])
@@ -269,7 +294,8 @@ def check_colors():
 if __name__ == "__main__":
     load_plugin()
     for check_one in (check_definition, check_offered, check_grids_and_cells, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
-                      check_threshold_and_waves, check_thickness, check_density_volume, check_blocks, check_colors, check_state):
+                      check_threshold_and_waves, check_thickness, check_density_volume, check_blocks, check_colors,
+                      check_colors_of_some_blocks, check_state):
         print(check_one.__name__, flush=True)
         check_one()
     passed()

@@ -12,7 +12,6 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
-#include "vtkAppendPolyData.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -361,34 +360,17 @@ void vtkCloudTextureRepresentation::WarnOfRanks()
   }
 }
 
-// One surface of all blocks, made anew only for new data.
+// One surface of all blocks, made anew only for new data or another coloured array.
 void vtkCloudTextureRepresentation::TakeSurface(vtkDataObject* delivered)
 {
-  if (this->Surface && delivered == this->TakenFrom &&
-    (!delivered || delivered->GetMTime() == this->TakenTime))
+  vtkNew<vtkMultiBlockDataSet> one;
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(delivered);
+  vtkPolyData* joined =
+    this->Blocks.Join(blocks ? blocks : one.Get(), this->CloudMapper->GetColoredArray());
+  if (joined != this->CloudMapper->GetInput())
   {
-    return;
+    this->CloudMapper->SetInputData(joined);
   }
-  this->TakenFrom = delivered;
-  this->TakenTime = delivered ? delivered->GetMTime() : 0;
-  this->Surface = vtkSmartPointer<vtkPolyData>::New();
-  const std::vector<vtkPolyData*> surfaces = SurfacesOf(delivered);
-  if (surfaces.size() == 1)
-  {
-    this->Surface->ShallowCopy(surfaces.front());
-  }
-  else if (!surfaces.empty())
-  {
-    vtkNew<vtkAppendPolyData> append;
-    for (vtkPolyData* surface : surfaces)
-    {
-      append->AddInputData(surface);
-    }
-    append->Update();
-    this->Surface->ShallowCopy(append->GetOutput());
-    this->Surface->GetFieldData()->ShallowCopy(surfaces.front()->GetFieldData());
-  }
-  this->CloudMapper->SetInputData(this->Surface);
 }
 
 void vtkCloudTextureRepresentation::UpdateColoringParameters()

@@ -16,6 +16,7 @@
 #include "vtkGeometryRepresentation.h"
 #include "vtkNephoscopeParaViewCloudTextureModule.h" // for export macro
 
+#include "JoinedSurfaces.h"
 #include "vtkCloudTextureMapper.h"
 #include "vtkNew.h"          // for members
 #include "vtkSmartPointer.h" // for members
@@ -118,14 +119,12 @@ private:
   void WarnOfRanks();
 
   vtkNew<vtkCloudTextureMapper> CloudMapper;
-  vtkSmartPointer<vtkPolyData> Surface; // what is drawn
   vtkSmartPointer<vtkTrivialProducer>
-    CompletedInput;                   // with cells of other ranks; null where the input does
-  vtkDataObject* TakenFrom = nullptr; // only compared
+    CompletedInput; // with cells of other ranks; null where the input does
+  nephoscope::JoinedSurfaces Blocks;
   vtkSmartPointer<vtkMultiBlockDataSet> Volume; // its one block, or none
   vtkDataObject* ReadFrom = nullptr;            // only compared
   vtkMTimeType ReadTime = 0;
-  vtkMTimeType TakenTime = 0;
   bool HasToldOfRanks = false;
   bool HasToldOfVolume = false; // and the input has not changed to surfaces since
   std::string Nothing;          // why nothing is drawn, as it has been told
