@@ -50,8 +50,16 @@ std::vector<nephoscope::StreakColor> colorsOf(vtkVolumeProperty* property)
 void vtkTexturedSplatMapper::SuitVectorColor(
   vtkVolumeProperty* property, const double background[3])
 {
-  const nephoscope::StreakColor color = nephoscope::ContrastingColor(
-    { { background[0], background[1], background[2] } }, colorsOf(property));
+  this->SuitVectorColor(property, background, background);
+}
+
+void vtkTexturedSplatMapper::SuitVectorColor(
+  vtkVolumeProperty* property, const double bottom[3], const double top[3])
+{
+  const nephoscope::StreakColor ends[2] = { { { bottom[0], bottom[1], bottom[2] } },
+    { { top[0], top[1], top[2] } } };
+  const nephoscope::StreakColor color =
+    nephoscope::ContrastingColor({ ends[0], ends[1] }, colorsOf(property));
   this->SetVectorColor(color[0], color[1], color[2]);
   this->SetUseVectorColor(true);
 }

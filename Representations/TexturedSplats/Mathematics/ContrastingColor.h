@@ -48,20 +48,39 @@ inline StreakColor MeanColor(const std::vector<StreakColor>& colors)
   return mean;
 }
 
-// Black, white or orange: the one that contrasts best with the background and the mean of `medium`, its colours. If the medium has that colour somewhere, the one
-// farthest from all its colours; if this is near one of them too, also green, magenta, cyan and yellow are candidates.
+// Those of the choices that are far enough from all backgrounds; all, if none is.
+inline std::vector<StreakColor> ReadableOn(
+  const std::vector<StreakColor>& backgrounds, std::vector<StreakColor> choices)
+{
+  constexpr double readable =
+    0.7; // thin streaks need more of it than there is between ParaView's blue-grey and black
+  const auto isDim = [&](const StreakColor& choice) {
+    return DistanceToNearest(choice, backgrounds) < readable;
+  };
+  if (!std::all_of(choices.begin(), choices.end(), isDim))
+  {
+    choices.erase(std::remove_if(choices.begin(), choices.end(), isDim), choices.end());
+  }
+  return choices;
+}
+
+// Black, white or orange: the one that contrasts best with the backgrounds (two at the ends of a gradient) and the mean of `medium`, its colours. If the medium
+// has that colour somewhere, the one farthest from all its colours; if this is near one of them too, also green, magenta, cyan and yellow are candidates.
+// What cannot be read on a background is none.
 inline StreakColor ContrastingColor(
-  const StreakColor& background, const std::vector<StreakColor>& medium)
+  const std::vector<StreakColor>& backgrounds, const std::vector<StreakColor>& medium)
 {
   constexpr double near = 0.35; // a colour from which streaks are hardly told
-  const std::vector<StreakColor> usual = { { { 0, 0, 0 } }, { { 1, 1, 1 } },
-    { { 1, 69.0 / 255.0, 0 } } };
-  std::vector<StreakColor> louder = usual, everywhere = medium;
-  louder.insert(
-    louder.end(), { { { 0, 1, 0 } }, { { 1, 0, 1 } }, { { 0, 1, 1 } }, { { 1, 1, 0 } } });
-  everywhere.push_back(background);
+  const std::vector<StreakColor> all = { { { 0, 0, 0 } }, { { 1, 1, 1 } },
+    { { 1, 69.0 / 255.0, 0 } }, { { 0, 1, 0 } }, { { 1, 0, 1 } }, { { 0, 1, 1 } },
+    { { 1, 1, 0 } } };
+  const std::vector<StreakColor> usual = ReadableOn(backgrounds, { all[0], all[1], all[2] });
+  const std::vector<StreakColor> louder = ReadableOn(backgrounds, all);
+  std::vector<StreakColor> everywhere = medium, together = backgrounds;
+  everywhere.insert(everywhere.end(), backgrounds.begin(), backgrounds.end());
+  together.push_back(MeanColor(medium));
   for (const StreakColor& choice :
-    { FarthestFrom({ background, MeanColor(medium) }, usual), FarthestFrom(everywhere, usual) })
+    { FarthestFrom(together, usual), FarthestFrom(everywhere, usual) })
   {
     if (DistanceToNearest(choice, everywhere) >= near)
     {

@@ -116,7 +116,9 @@ void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (contrasts && view)
   {
-    this->Mapper->SuitVectorColor(this->Actor->GetProperty(), view->GetRenderer()->GetBackground());
+    vtkRenderer* renderer = view->GetRenderer();
+    this->Mapper->SuitVectorColor(this->Actor->GetProperty(), renderer->GetBackground(),
+      renderer->GetGradientBackground() ? renderer->GetBackground2() : renderer->GetBackground());
     return;
   }
   this->Mapper->SetUseVectorColor(this->UseVectorColor == ONE_COLOR);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Textures of vector splats: coverage of segments; motion, mean, blur and sense of streaks; the kernel that is lengthened for them. */
+#include "ContrastingColor.h"
 #include "EllipsoidSplat.h"
 #include "SplatKernel.h"
 #include "SplatSeed.h"
@@ -257,5 +258,35 @@ TEST(Seed, IsUniformAndDependsOnThePlaceAlone)
   for (const double j : JitterOf(0.73f))
   {
     EXPECT_LE(std::abs(j), 0.5);
+  }
+}
+
+namespace
+{
+// ParaView's Cool to Warm, from Diverging space to RGB at a few places.
+const std::vector<StreakColor> coolToWarm = { { { 0.23, 0.30, 0.75 } }, { { 0.48, 0.62, 0.97 } },
+  { { 0.75, 0.83, 0.96 } }, { { 0.87, 0.87, 0.87 } }, { { 0.95, 0.79, 0.72 } },
+  { { 0.94, 0.60, 0.48 } }, { { 0.84, 0.32, 0.26 } }, { { 0.71, 0.02, 0.15 } } };
+const std::vector<StreakColor> rainbow = { { { 0, 0, 1 } }, { { 0, 1, 1 } }, { { 0, 1, 0 } },
+  { { 1, 1, 0 } }, { { 1, 0, 0 } } };
+const std::vector<StreakColor> white = { { { 1, 1, 1 } } };
+}
+
+// Dark, ParaView's own, light, and gradients.
+TEST(ContrastingColor, CanBeReadOnEveryBackground)
+{
+  const std::vector<std::vector<StreakColor>> backgrounds = { { { { 0, 0, 0 } } },
+    { { { 0.32, 0.34, 0.43 } } }, { { { 1, 1, 1 } } },
+    { { { 0, 0, 0.16 } }, { { 0.32, 0.34, 0.43 } } }, { { { 1, 1, 1 } }, { { 0, 0, 0 } } } };
+  for (const std::vector<StreakColor>& background : backgrounds)
+  {
+    for (const std::vector<StreakColor>& medium : { coolToWarm, rainbow, white })
+    {
+      const StreakColor color = ContrastingColor(background, medium);
+      EXPECT_GE(DistanceToNearest(color, background), 0.7)
+        << color[0] << " " << color[1] << " " << color[2];
+    }
+    const StreakColor color = ContrastingColor(background, coolToWarm);
+    EXPECT_GE(DistanceToNearest(color, coolToWarm), 0.35);
   }
 }
