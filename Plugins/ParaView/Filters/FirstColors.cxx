@@ -25,11 +25,10 @@ namespace
 {
 constexpr double bright = 0.7; // luminance
 constexpr double darkSmoke[3] = { 0.35, 0.35, 0.35 };
-const std::string ourPresets = "Nephoscope ";
 constexpr const char* presetsOfClouds[] = { "Nephoscope Clouds", "Nephoscope Cloud Water" };
 
 // The name of the preset that an array begins with, or an empty one.
-std::string PresetOf(const std::string& array, const std::string& list = "standard_presets")
+std::string PresetOf(const std::string& array, const std::string& list = "nephoscope_presets")
 {
   vtkSMSettings* settings = vtkSMSettings::GetInstance();
   const std::string key = "." + list + "." + array;
@@ -74,38 +73,57 @@ std::vector<double> ColorsOf(vtkSMProxy* function)
   return colors;
 }
 
-// That ParaView gives to an array without a preset.
-std::vector<double> ColorsOfAnyArray(vtkSMSessionProxyManager* manager)
+// Those that ParaView gives to any array, or those of a preset.
+std::vector<double> ColorsOfAnyArray(
+  vtkSMSessionProxyManager* manager, const std::string& preset = std::string())
 {
   vtkNew<vtkSMTransferFunctionManager> functions;
   vtkSMProxy* any = functions->GetColorTransferFunction("NephoscopeAnyArray", manager);
+  if (any && !preset.empty())
+  {
+    vtkSMTransferFunctionProxy::ApplyPreset(any, preset.c_str(), false);
+  }
   const std::vector<double> colors = any ? ColorsOf(any) : std::vector<double>();
   manager->UnRegisterProxy(any);
   return colors;
 }
 
-void ApplyPreset(vtkSMProxy* display, const char* property, const std::string& preset)
+// From 0 to 1 along a line, as ParaView gives them to any array.
+bool AreOpacitiesOfAnyArray(vtkSMProxy* opacities)
 {
-  vtkSMProxy* function = vtkSMPropertyHelper(display, property, true).GetAsProxy();
-  if (function && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset.c_str()))
-  {
-    vtkSMTransferFunctionProxy::ApplyPreset(function, preset.c_str(), false);
-    function->UpdateVTKObjects();
-  }
+  const std::vector<double> points = vtkSMPropertyHelper(opacities, "Points").GetDoubleArray();
+  return points.size() == 8 && points[1] == 0.0 && points[5] == 1.0;
 }
 
-// Colours and opacities of a name that is usual elsewhere too, unless somebody has chosen others.
-void UseWeatherPreset(vtkSMProxy* display, const std::string& array, vtkPVDataInformation* data)
+void ApplyPreset(vtkSMProxy* function, const std::string& preset)
 {
-  const std::string preset = WeatherPresetOf(array, data);
+  vtkSMTransferFunctionProxy::ApplyPreset(function, preset.c_str(), true); // over its range
+  function->UpdateVTKObjects();
+}
+
+// Colours and opacities of the preset of an array, unless somebody has chosen others.
+void UsePreset(vtkSMProxy* display, const std::string& array, vtkPVDataInformation* data)
+{
+  const std::string preset =
+    PresetOf(array).empty() ? WeatherPresetOf(array, data) : PresetOf(array);
   vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
+  vtkSMProxy* opacities = vtkSMPropertyHelper(display, "ScalarOpacityFunction", true).GetAsProxy();
   const bool saved =
     vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
-  if (!preset.empty() && colors && !saved &&
-    ColorsOf(colors) == ColorsOfAnyArray(display->GetSessionProxyManager()))
+  if (preset.empty() || !colors || saved ||
+    !vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset.c_str()))
   {
-    ApplyPreset(display, "LookupTable", preset);
-    ApplyPreset(display, "ScalarOpacityFunction", preset);
+    return;
+  }
+  vtkSMSessionProxyManager* manager = display->GetSessionProxyManager();
+  if (ColorsOf(colors) == ColorsOfAnyArray(manager))
+  {
+    ApplyPreset(colors, preset);
+  }
+  if (opacities && AreOpacitiesOfAnyArray(opacities) &&
+    ColorsOf(colors) == ColorsOfAnyArray(manager, preset))
+  {
+    ApplyPreset(opacities, preset);
   }
 }
 
@@ -229,7 +247,7 @@ void colorFirst(
   const bool given = data->GetArrayInformation(how.c_str(), array.Association) != nullptr;
   if (!given && display->GetUsingScalarColoring()) // as its input is, for one
   {
-    UseWeatherPreset(display, ColoredBy(display).Name, data);
+    UsePreset(display, ColoredBy(display).Name, data);
     return;
   }
   if (!given)
@@ -240,7 +258,7 @@ void colorFirst(
   if (!array.Name.empty())
   {
     display->SetScalarColoring(array.Name.c_str(), array.Association);
-    UseWeatherPreset(display, array.Name, data);
+    UsePreset(display, array.Name, data);
     display->RescaleTransferFunctionToDataRange(true, false);
   }
 }
@@ -267,18 +285,12 @@ void colorByPreset(
   }
 }
 
-void prepareOpacities(vtkSMProxy* opacities, const std::string& registeredAs)
+void usePresetOfArray(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
 {
-  const std::string array =
-    registeredAs.substr(0, registeredAs.rfind('.')); // without ".PiecewiseFunction"
-  const std::string preset = PresetOf(array);
-  const bool saved =
-    vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
-  auto* presets = vtkSMTransferFunctionPresets::GetInstance();
-  if (!saved && preset.compare(0, ourPresets.size(), ourPresets) == 0 &&
-    presets->HasPreset(preset.c_str()))
+  const std::string array = ColoredBy(display).Name;
+  if (!array.empty())
   {
-    vtkSMTransferFunctionProxy::ApplyPreset(opacities, preset.c_str(), false);
+    UsePreset(display, array, source->GetDataInformation(port));
   }
 }
 

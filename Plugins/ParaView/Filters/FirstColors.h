@@ -23,8 +23,8 @@ void colorFirst(
 void colorByPreset(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset);
 
-/** The opacities of the suite's preset for an array, for a new opacity function that is registered under its name. */
-void prepareOpacities(vtkSMProxy* opacities, const std::string& registeredAs);
+/** Gives the array that colours the display the colours and opacities of its preset, unless somebody has chosen others. */
+void usePresetOfArray(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port);
 }
 
 #endif

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-# NephoscopePresets.h in the build folder: the presets as ParaView's list takes them, and which array begins with which: those of
-# "nephoscope_weather_presets" in data of Globe Grid alone, as their names are usual elsewhere too.
+# NephoscopePresets.h in the build folder: the presets as ParaView's list takes them, and which array begins with which in what Nephoscope draws or
+# makes: those of "nephoscope_weather_presets" in data of Globe Grid alone, as their names are usual elsewhere too.
 set(nephoscope_presets_file "${PROJECT_SOURCE_DIR}/Plugins/Presets/nephoscope_presets.json")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${nephoscope_presets_file}")
 file(READ "${nephoscope_presets_file}" presets)
@@ -39,7 +39,7 @@ struct Preset
 };
 static const Preset PRESETS[] = {
 @entries@};
-static const char* const STANDARD_PRESETS = R\"settings({ \"standard_presets\": {
+static const char* const PRESETS_OF_ARRAYS = R\"settings({ \"nephoscope_presets\": {
 @standard@}, \"nephoscope_weather_presets\": {
 @weather@} })settings\";
 ")

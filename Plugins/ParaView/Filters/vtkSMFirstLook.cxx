@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMFirstLook.h"
 
+#include "ActiveSourceArrays.h"
 #include "ClassesOfSuite.h"
 #include "FirstCamera.h"
 #include "FirstColors.h"
@@ -10,6 +11,7 @@
 #include "ValuesInDomains.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVDataInformation.h"
@@ -182,12 +184,37 @@ void NoteSolidColor(vtkSMPVRepresentationProxy* display)
   }
 }
 
+// Arrays keep ParaView's own colours until one of the suite's representations draws them, or a display shows what one of its filters has made.
+void UsePreset(vtkSMPVRepresentationProxy* display)
+{
+  const vtkSMPropertyHelper input(display, "Input", true);
+  auto* source =
+    vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  if (!source || display->GetSessionProxyManager()->GetInLoadXMLState())
+  {
+    return;
+  }
+  const int port = static_cast<int>(input.GetOutputPort());
+  const std::string type = vtkSMPropertyHelper(display, "Representation", true).GetAsString();
+  if (type == "Cell Compositing" || type == "Textured Splats" || type == "Cloud Texture" ||
+    nephoscope::isOfSuite(source->GetVTKClassName()) ||
+    source->GetDataInformation(port)->GetArrayInformation(
+      "GlobeGridProjection", vtkDataObject::FIELD))
+  {
+    nephoscope::usePresetOfArray(display, source, port);
+  }
+}
+
 // As ParaView does for Volume: a medium of one colour says nothing about its data.
 void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
 {
   auto* display = vtkSMPVRepresentationProxy::SafeDownCast(caller);
   const char* property =
     static_cast<const char*>(data); // null for those of displays inside this one
+  if (display)
+  {
+    UsePreset(display);
+  }
   if (display && property && std::string(property) == "ColorArrayName")
   {
     NoteSolidColor(display);
@@ -234,6 +261,7 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   if (auto* display = vtkSMPVRepresentationProxy::SafeDownCast(proxy))
   {
     PrepareDisplay(display);
+    UsePreset(display);
     vtkNew<vtkCallbackCommand> command;
     command->SetCallback(OnDisplayProperty);
     display->AddObserver(vtkCommand::PropertyModifiedEvent, command);
@@ -241,10 +269,10 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   else if (std::string(registered->GroupName) == "sources")
   {
     nephoscope::connectToSun(proxy);
-  }
-  else if (std::string(registered->GroupName) == "piecewise_functions")
-  {
-    nephoscope::prepareOpacities(proxy, registered->ProxyName);
+    if (nephoscope::isOfSuite(proxy->GetVTKClassName()))
+    {
+      nephoscope::forgetArraysOfActiveSource(proxy);
+    }
   }
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMNephoscopePresets.h"
 
-#include "NephoscopePresets.h" // made by CMake: PRESETS, STANDARD_PRESETS
+#include "NephoscopePresets.h" // made by CMake: PRESETS, PRESETS_OF_ARRAYS
 
 #include "vtkObjectFactory.h"
 #include "vtkSMSettings.h"
@@ -25,5 +25,5 @@ void vtkSMNephoscopePresets::Load()
       presets->AddPreset(preset.name, std::string(preset.json));
     }
   }
-  vtkSMSettings::GetInstance()->AddCollectionFromString(STANDARD_PRESETS, lowestPriority);
+  vtkSMSettings::GetInstance()->AddCollectionFromString(PRESETS_OF_ARRAYS, lowestPriority);
 }

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The presets are in ParaView's list, and arrays of the weather begin with the colours of theirs; filters after Globe Grid begin with
-clouds."""
+"""The presets are in ParaView's list, and arrays of the weather begin with the colours of theirs where Nephoscope draws or makes them; filters
+after Globe Grid begin with clouds."""
 from PluginTesting import GFS, check, new_view, passed, pvs
 
 
@@ -26,6 +26,31 @@ def check_short_names():
         pvs.Delete(view)
 
 
+def check_plain_representations():
+    """ParaView's own colours and opacities in its own representations; those of the preset from the choice of one of ours."""
+    plain = list(pvs.GetColorTransferFunction("RTData").RGBPoints)
+    for name in ("smoke", "soot", "cloud_cover", "temp"):
+        for representation in ("Cell Compositing", "Textured Splats"):
+            named = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3), Function="RTData", ResultArrayName=name)
+            view = new_view((60, 40))
+            display = pvs.Show(named, view)
+            pvs.ColorBy(display, ("POINTS", name))
+            display.RescaleTransferFunctionToDataRange(True)
+            for own in ("Surface", "Volume"):
+                display.SetRepresentationType(own)
+                colours, points = list(display.LookupTable.RGBPoints), list(display.ScalarOpacityFunction.Points)
+                check(colours[1::4] == plain[1::4] and len(points) == 8, f"{own} of {name} has the colours {colours} and opacities {points}")
+            display.SetRepresentationType(representation)
+            colours, points = list(display.LookupTable.RGBPoints), list(display.ScalarOpacityFunction.Points)
+            check(colours[1::4] != plain[1::4], f"{representation} of {name} has ParaView's colours {colours}")
+            check(len(points) > 8 or name == "smoke" or name == "soot", f"{representation} of {name} has the opacities {points}")
+            check(abs(display.LookupTable.RGBPoints[-4] - named.PointData[name].GetRange()[1]) < 1e-3, f"range of {name}: {colours}")
+            pvs.Delete(view)
+            pvs.Delete(named)
+            for function in (pvs.GetColorTransferFunction(name), pvs.GetOpacityTransferFunction(name)):
+                pvs.Delete(function)
+
+
 def main():
     from paraview import servermanager
     presets = servermanager.vtkSMTransferFunctionPresets.GetInstance() if hasattr(
@@ -39,11 +64,15 @@ def main():
     globe.UpdatePipeline()
     surface = pvs.CloudSurface(Input=globe)
     check(surface.ContourBy[1] == "cloud_fraction", f"Cloud Surface begins with {surface.ContourBy}")
-    for array, white in (("cloud_fraction", True), ("clwmr", True), ("t", False), ("cc", False), ("RTData", False)):
+    view = new_view((60, 40))
+    display = pvs.Show(globe, view)
+    for array, white in (("cloud_fraction", True), ("clwmr", True), ("gh", False)):
+        pvs.ColorBy(display, ("POINTS", array))
         colours = list(pvs.GetColorTransferFunction(array).RGBPoints)
         check((min(colours[-3:]) > 0.99) == white, f"{array} begins with {colours}")
+    pvs.Delete(view)
     plain = list(pvs.GetColorTransferFunction("RTData").RGBPoints)
-    for array in ("p", "t", "T", "u", "v", "w", "U", "q", "Density"):
+    for array in ("p", "t", "T", "u", "v", "w", "U", "q", "Density", "cloud_cover", "smoke"):
         colours = list(pvs.GetColorTransferFunction(array).RGBPoints)
         check(colours == plain, f"{array}, a name of many things, begins with {colours}")
     opacity = pvs.GetOpacityTransferFunction("cloud_fraction")
@@ -51,6 +80,7 @@ def main():
     points = list(opacity.Points)
     check(len(points) == 12 and points[5] == 0, f"opacities of the preset: {points}")
     check_short_names()
+    check_plain_representations()
     passed()
 
 

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ActiveSourceArrays.h"
+
+#include "vtkDataObject.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMArrayListDomain.h"
+#include "vtkSMOutputPort.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
+#include "vtkSMProxySelectionModel.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMStringVectorProperty.h"
+#include "vtkSmartPointer.h"
+
+namespace nephoscope
+{
+namespace
+{
+vtkPVDataInformation* dataOfActiveSource(vtkSMSessionProxyManager* manager)
+{
+  vtkSMProxySelectionModel* active = manager->GetSelectionModel("ActiveSources");
+  vtkSMProxy* current = active ? active->GetCurrentProxy() : nullptr;
+  if (auto* port = vtkSMOutputPort::SafeDownCast(current))
+  {
+    return port->GetDataInformation();
+  }
+  auto* source = vtkSMSourceProxy::SafeDownCast(current);
+  return source ? source->GetDataInformation() : nullptr;
+}
+
+bool hasArray(vtkPVDataInformation* data, const char* name)
+{
+  return data->GetArrayInformation(name, vtkDataObject::POINT) ||
+    data->GetArrayInformation(name, vtkDataObject::CELL);
+}
+
+vtkPVDataInformation* dataOfInput(vtkSMProxy* filter)
+{
+  const vtkSMPropertyHelper input(filter, "Input", true);
+  auto* source =
+    vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
+  return source ? source->GetDataInformation(input.GetOutputPort()) : nullptr;
+}
+}
+
+void forgetArraysOfActiveSource(vtkSMProxy* filter)
+{
+  vtkPVDataInformation* active = dataOfActiveSource(filter->GetSessionProxyManager());
+  vtkPVDataInformation* input = dataOfInput(filter);
+  if (!active || !input || active == input)
+  {
+    return;
+  }
+  vtkSmartPointer<vtkSMPropertyIterator> properties;
+  properties.TakeReference(filter->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    auto* chosen = vtkSMStringVectorProperty::SafeDownCast(properties->GetProperty());
+    if (!chosen || chosen->GetNumberOfElements() != 5 ||
+      !chosen->FindDomain<vtkSMArrayListDomain>())
+    {
+      continue;
+    }
+    const char* name = vtkSMPropertyHelper(chosen).GetInputArrayNameToProcess();
+    if (name && *name && hasArray(active, name) && !hasArray(input, name))
+    {
+      chosen->ResetToDomainDefaults();
+    }
+  }
+  filter->UpdateVTKObjects();
+}
+}
