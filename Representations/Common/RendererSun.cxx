@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RendererSun.h"
 
+#include "DataSets.h"
+#include "VolumeOrder.h"
+
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
+#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
@@ -99,5 +105,37 @@ double greatestFieldValue(vtkRenderer* renderer, const char* name, double otherw
     otherwise = data ? greatestIn(data, name, otherwise) : otherwise;
   }
   return otherwise;
+}
+
+bool hasVolumesWithout(vtkRenderer* renderer, const char* array)
+{
+  bool hasVolumes = false;
+  vtkCollectionSimpleIterator iterator;
+  renderer->GetViewProps()->InitTraversal(iterator);
+  while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(iterator))
+  {
+    auto* volume = vtkVolume::SafeDownCast(prop);
+    vtkAlgorithm* mapper = volume && VolumeOrder::IsDrawn(volume) && VolumeOrder::IsEnrolled(volume)
+      ? volume->GetMapper()
+      : nullptr;
+    vtkDataObject* data = mapper && mapper->GetNumberOfInputConnections(0) > 0
+      ? mapper->GetInputDataObject(0, 0)
+      : nullptr;
+    if (data && data->GetNumberOfElements(vtkDataObject::CELL) > 0)
+    {
+      hasVolumes = true;
+      bool has = false;
+      ForEachLeaf(data, [&](vtkDataObject* leaf) {
+        auto* set = vtkDataSet::SafeDownCast(leaf);
+        has = has ||
+          (set && (set->GetPointData()->HasArray(array) || set->GetCellData()->HasArray(array)));
+      });
+      if (has)
+      {
+        return false;
+      }
+    }
+  }
+  return hasVolumes;
 }
 }

@@ -20,6 +20,10 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool findSunOf(
 /** The greatest first number of field arrays of this name in the data that are visible, and their blocks; `otherwise`, if that is greater or there is none. */
 VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double greatestFieldValue(
   vtkRenderer* renderer, const char* name, double otherwise);
+
+/** Whether volumes of these mappers are visible, and the data of none of them have this array, at points or cells. */
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool hasVolumesWithout(
+  vtkRenderer* renderer, const char* array);
 }
 
 #endif

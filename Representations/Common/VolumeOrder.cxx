@@ -265,6 +265,11 @@ void VolumeOrder::ReleaseGraphicsResources(vtkAbstractVolumeMapper* mapper, vtkW
   }
 }
 
+bool VolumeOrder::IsEnrolled(vtkVolume* volume)
+{
+  return partOf(volume) != nullptr;
+}
+
 bool VolumeOrder::IsDrawn(vtkVolume* volume)
 {
   const double* bounds = volume->GetVisibility() ? volume->GetBounds() : nullptr;

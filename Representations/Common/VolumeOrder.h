@@ -44,6 +44,7 @@ public:
   /** Whether a volume is drawn that cannot be one medium with others. */
   static bool HasOthers(vtkRenderer* renderer);
 
+  static bool IsEnrolled(vtkVolume* volume);
   /** Visible, not culled (vtkCuller), and with bounds. */
   static bool IsDrawn(vtkVolume* volume);
   static bool Overlap(vtkVolume* a, vtkVolume* b);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMFlowVolumeInitializationHelper.h"
 
+#include "ActiveSourceArrays.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -72,6 +74,7 @@ void vtkSMFlowVolumeInitializationHelper::PostInitializeProxy(
       vectors->ResetToDomainDefaults();
     }
   }
+  nephoscope::forgetArraysOfActiveSource(proxy);
   proxy->UpdateVTKObjects();
   proxy->InvokeCommand("FindPlace");
   proxy->UpdatePropertyInformation();

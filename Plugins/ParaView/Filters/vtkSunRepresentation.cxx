@@ -152,6 +152,21 @@ bool vtkSunRepresentation::FindDirection(double direction[3])
   return true;
 }
 
+// Volumes shine by an array, not by the light of the view.
+void vtkSunRepresentation::WarnOfVolumes()
+{
+  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+  const bool isAlone = !ranks || ranks->GetNumberOfProcesses() == 1; // each rank has other data
+  const bool isUnlit = isAlone && nephoscope::hasVolumesWithout(this->Renderer, "Sunlight");
+  if (isUnlit && !this->HasToldOfVolumes)
+  {
+    vtkWarningMacro(
+      "The sun lights surfaces, but no volume in this view: their data have no light yet. Apply Sunlight to them, after Cloud Optics if they "
+      "have no Extinction, and show its output.");
+  }
+  this->HasToldOfVolumes = isUnlit;
+}
+
 void vtkSunRepresentation::OnStart()
 {
   this->OnEnd();
@@ -163,6 +178,7 @@ void vtkSunRepresentation::OnStart()
   {
     return;
   }
+  this->WarnOfVolumes();
   this->Sun->SetPosition(direction);
   nephoscope::setSunOf(this->Renderer, direction);
   vtkCollectionSimpleIterator iterator;

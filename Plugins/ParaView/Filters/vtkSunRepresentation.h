@@ -56,12 +56,14 @@ private:
   void operator=(const vtkSunRepresentation&) = delete;
 
   void Switch(bool on);
+  void WarnOfVolumes();
   void OnStart();
   void OnEnd();
   bool FindDirection(double direction[3]);
 
   vtkNew<vtkPolyData> Piece;          // two points: the directions
   vtkSmartPointer<vtkPolyData> Shown; // the same, as delivered to this process
+  bool HasToldOfVolumes = false;      // that have no light
   vtkNew<vtkLight> Sun;
   vtkNew<vtkLight> Fill;
   std::vector<vtkSmartPointer<vtkLight>> Hidden; // during a render

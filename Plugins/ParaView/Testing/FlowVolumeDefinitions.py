@@ -117,8 +117,24 @@ def check_fresh(proxy, class_, without=frozenset()):
         check(value == expected, f"a fresh {proxy.SMProxy.GetXMLLabel()} has {member} = {value!r}, C++ {expected!r}")
 
 
+def check_given_input():
+    """The velocity is one of the input that a script gives, not of the source that is active meanwhile; a name that no data have stays."""
+    wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
+    active, given = (pvs.Calculator(Input=wavelet, ResultArrayName=name, Function="iHat+jHat") for name in ("active", "given"))
+    for source in (active, given):
+        source.UpdatePipeline()
+    for make in (pvs.FlowVolume, pvs.TextureCoordinateAdvection):
+        pvs.SetActiveSource(active)
+        made = make(Input=given)
+        check(list(made.Velocity) == ["POINTS", "given"], f"the velocity of {made.GetXMLName()} is {made.Velocity}")
+        pvs.SetActiveSource(active)
+        made = make(Input=given, Velocity=["POINTS", "typo"])
+        check(list(made.Velocity) == ["POINTS", "typo"], f"a name that is not there has become {made.Velocity}")
+
+
 if __name__ == "__main__":
     load_plugin()
+    check_given_input()
     check_members("FlowVolume", nephoscope.vtkFlowVolume)
     check_members("FlowVolumeFromPolygon", nephoscope.vtkFlowVolume, without=PLACE | {"NumberOfSides"})
     check_members("SmokePuffs", nephoscope.vtkSmokePuffs)

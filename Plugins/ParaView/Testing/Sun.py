@@ -170,8 +170,31 @@ def check_states():
         check(not drawn or np.abs(inside(view) - saved).mean() > 3, f"{kind}: the light of the view does not follow the sun")
 
 
+def check_volumes_without_light(messages):
+    """A sun beside volumes none of which is lit: one sentence, however often they are drawn. Beside surfaces, or lit volumes, none."""
+    view = new_view((60, 60))
+    sun = pvs.Sun()
+    pvs.Show(sun, view)
+    pvs.Show(pvs.Sphere(), view)
+    pvs.Render(view)
+    check(not messages, f"beside a surface: {messages}")
+    display = pvs.Show(cloud(), view)
+    for representation in ("Cell Compositing", "Textured Splats"):
+        display.SetRepresentationType(representation)
+        pvs.Render(view)
+        pvs.Render(view)
+    check(len(messages) == 1 and "no volume in this view" in messages[0] and "Apply Sunlight" in messages[0], f"beside plain cells: {messages}")
+    messages.clear()
+    pvs.Show(pvs.Sunlight(Input=cloud()), view).SetRepresentationType("Cell Compositing")
+    pvs.Render(view)
+    check(not messages, f"beside lit cells: {messages}")
+    pvs.Delete(view)
+    pvs.Delete(sun)
+
+
 messages = listen()
 load_plugin()
+check_volumes_without_light(messages)
 check_one_change_moves_all()
 check_light_of_view()
 check_haze()
