@@ -330,11 +330,15 @@ def check_vectors():
 
 def check_opacities():
     """Arrays that begin with the colours of a preset have its opacities too."""
+    view = new_view((40, 40))
+    wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
     for array, opacities in (("cloud_fraction", [0, 0.05, 1]), ("clwmr", [0, 0.01, 0.3, 1]), ("RTData", [0, 1])):
+        compose(pvs.Calculator(Input=wavelet, ResultArrayName=array, Function="RTData"), view, ("POINTS", array), "Cell Compositing")
         points = list(pvs.GetOpacityTransferFunction(array).Points)
         scaled = [(x - points[0]) / (points[-4] - points[0]) for x in points[::4]]
         check(len(scaled) == len(opacities) and all(math.isclose(a, b, abs_tol=1e-6) for a, b in zip(scaled, opacities)),
               f"opacities of {array}: {points}")
+    pvs.Delete(view)
 
 
 load_plugin()
