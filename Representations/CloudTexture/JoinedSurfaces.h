@@ -48,8 +48,8 @@ class JoinedSurfaces
 {
 public:
   /**
-   * Blocks without polygonal data are left out; each field array comes from the first block that has it. Of other arrays only those remain that all
-   * blocks have, and the coloured one, which is 0 in the others.
+   * Blocks without polygonal data are left out; each field array comes from the first block that has it. Those other arrays remain that all blocks have,
+   * and the coloured one, which is 0 in the others.
    */
   vtkPolyData* Join(vtkCompositeDataSet* data, const SurfaceColorArray& colored)
   {
