@@ -205,13 +205,20 @@ void UsePreset(vtkSMPVRepresentationProxy* display)
   }
 }
 
+// With any other property, ParaView's colours are the choice of somebody.
+bool IsOfColoring(const std::string& property)
+{
+  return property == "ColorArrayName" || property == "LookupTable" ||
+    property == "ScalarOpacityFunction" || property == "Representation";
+}
+
 // As ParaView does for Volume: a medium of one colour says nothing about its data.
 void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
 {
   auto* display = vtkSMPVRepresentationProxy::SafeDownCast(caller);
   const char* property =
     static_cast<const char*>(data); // null for those of displays inside this one
-  if (display)
+  if (display && property && IsOfColoring(property))
   {
     UsePreset(display);
   }

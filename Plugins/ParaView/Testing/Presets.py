@@ -40,11 +40,15 @@ def check_plain_representations():
                 display.SetRepresentationType(own)
                 colours, points = list(display.LookupTable.RGBPoints), list(display.ScalarOpacityFunction.Points)
                 check(colours[1::4] == plain[1::4] and len(points) == 8, f"{own} of {name} has the colours {colours} and opacities {points}")
+            of_paraview = colours
             display.SetRepresentationType(representation)
             colours, points = list(display.LookupTable.RGBPoints), list(display.ScalarOpacityFunction.Points)
             check(colours[1::4] != plain[1::4], f"{representation} of {name} has ParaView's colours {colours}")
             check(len(points) > 8 or name == "smoke" or name == "soot", f"{representation} of {name} has the opacities {points}")
             check(abs(display.LookupTable.RGBPoints[-4] - named.PointData[name].GetRange()[1]) < 1e-3, f"range of {name}: {colours}")
+            display.LookupTable.RGBPoints = of_paraview
+            display.Opacity, display.Position = 0.9, [1, 0, 0]
+            check(list(display.LookupTable.RGBPoints) == of_paraview, f"ParaView's colours of {name}, chosen for {representation}, do not stay")
             pvs.Delete(view)
             pvs.Delete(named)
             for function in (pvs.GetColorTransferFunction(name), pvs.GetOpacityTransferFunction(name)):
