@@ -229,6 +229,8 @@ class Opening(unittest.TestCase):
                 nephoscope.open(Path(folder, "b.grb"))
             with self.assertRaisesRegex(ValueError, "not a Zarr store"):
                 nephoscope.open(folder)
+        with self.assertRaisesRegex(FileNotFoundError, r"http://a.b/c.nc is an address, not a file.*xarray.open_dataset\('http://a.b/c.nc'\)"):
+            nephoscope.open("http://a.b/c.nc")
         with self.assertRaisesRegex(FileNotFoundError, "No such file: nowhere.nc"):
             nephoscope.open("nowhere.nc")
 

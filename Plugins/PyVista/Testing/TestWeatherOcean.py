@@ -79,6 +79,12 @@ class Currents(unittest.TestCase):
             self.assertEqual(grid.n_points, 8 * 11 * 12)
             np.testing.assert_allclose(np.asarray(grid[name]).reshape(8, 11, 12)[3, 5, 1:-1], np.arange(12.0)[1:-1] if name == "u" else 5, rtol=1e-6)
 
+    def test_message_beside_fields_at_the_centres(self):
+        top = currents().isel(s_rho=-1)
+        top = top.assign(u=(("eta_u", "xi_u"), top.u.values))
+        with self.assertRaisesRegex(ValueError, r"^'u' is on .*Draw it alone: ds\[\['u'\]\]\.nephoscope\.plot\(\), or pass ds\[\['u'\]\] to animate\.$"):
+            top.assign({name: xr.zeros_like(top.h, float) for name in ("zeta", "ssh", "heat")}).nephoscope.plot("u", screenshot="none.png")
+
     def test_places_in_the_file_of_the_grid(self):
         folder, data = Path(self.enterContext(tempfile.TemporaryDirectory())), currents()
         places = ["lon_rho", "lat_rho", "h", "hc", "Cs_r"]

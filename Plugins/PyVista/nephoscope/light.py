@@ -270,7 +270,7 @@ def _other_extinction(mesh: pyvista.DataSet, direction: Numbers | None, time: st
         return "Give it one: mesh['Extinction'] = ..., per unit of length of the mesh."
     sun = {"direction": tuple(np.asarray(direction).tolist())} if direction is not None else {"time": time} if time else {}
     sun["extinction"] = mesh.active_scalars_name if mesh.active_scalars_name in numbers else numbers[0]
-    return f"Name the array that is the extinction coefficient, per unit of length of the mesh: sun={sun}; sun['extinction_scale'] multiplies it."
+    return f"Name the array that is the extinction coefficient, per unit of length of the mesh: sun={sun}; sun['extinction_scale'] multiplies it. Clouds of water have 0.01 to 0.1 per metre."
 
 
 def is_smoke(mesh: pyvista.DataSet) -> bool:

@@ -43,8 +43,9 @@ def _why_not(reading: Reading, name: str, fields: list[str]) -> str:
         return f"{name!r} is of type {variable.dtype}, but a field must have numbers. Convert it, ds[{name!r}].astype('float32'), or draw another: {listed(fields)}."
     wanted = [*([reading.vertical.dim] if reading.vertical else []), *reading.horizontal.dims]
     others = [dim for dim in variable.dims if dim not in wanted]
-    choose = f" Choose a place along {others[0]!r}: ds.isel({others[0]}=0)." if others else ""
-    alone = f" Draw it alone: ds[[{name!r}]].nephoscope.plot()." if not others and variable.ndim > 1 else ""
+    of_another_grid = not others or variable.ndim <= len(reading.horizontal.dims)
+    choose = "" if of_another_grid else f" Choose a place along {others[0]!r}: ds.isel({others[0]}=0)."
+    alone = f" Draw it alone: ds[[{name!r}]].nephoscope.plot(), or pass ds[[{name!r}]] to animate." if of_another_grid and variable.ndim > 1 else ""
     return f"{name!r} is on {listed(list(variable.dims)) or 'no dimension'}, but the fields that can be drawn are on {listed(wanted)}: {listed(fields)}.{choose}{alone}"
 
 

@@ -94,6 +94,8 @@ def _paths(path: Any) -> list[Path]:
     if isinstance(path, (list, tuple)):
         return [found for one in path for found in _paths(one)]
     text = str(path)
+    if "://" in text:
+        raise FileNotFoundError(f"{text} is an address, not a file. Download the file, or pass a dataset: xarray.open_dataset({text!r}), which reads OPeNDAP, or xarray.open_zarr.")
     found = sorted(glob.glob(text)) if any(c in text for c in "*?[") and not Path(text).exists() else [text]
     missing = [one for one in found if not Path(one).exists()]
     if missing or not found:
