@@ -104,8 +104,8 @@ void ApplyPreset(vtkSMProxy* function, const std::string& preset)
 // Colours and opacities of the preset of an array, unless somebody has chosen others.
 void UsePreset(vtkSMProxy* display, const std::string& array, vtkPVDataInformation* data)
 {
-  const std::string preset =
-    PresetOf(array).empty() ? WeatherPresetOf(array, data) : PresetOf(array);
+  const std::string own = PresetOf(array);
+  const std::string preset = own.empty() ? WeatherPresetOf(array, data) : own;
   vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
   vtkSMProxy* opacities = vtkSMPropertyHelper(display, "ScalarOpacityFunction", true).GetAsProxy();
   const bool saved =

@@ -205,7 +205,7 @@ void UsePreset(vtkSMPVRepresentationProxy* display)
   }
 }
 
-// With any other property, ParaView's colours are the choice of somebody.
+// What a display is coloured by. A change of any other property leaves colours that somebody has chosen.
 bool IsOfColoring(const std::string& property)
 {
   return property == "ColorArrayName" || property == "LookupTable" ||

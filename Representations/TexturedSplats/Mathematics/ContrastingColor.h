@@ -52,8 +52,7 @@ inline StreakColor MeanColor(const std::vector<StreakColor>& colors)
 inline std::vector<StreakColor> ReadableOn(
   const std::vector<StreakColor>& backgrounds, std::vector<StreakColor> choices)
 {
-  constexpr double readable =
-    0.7; // thin streaks need more of it than there is between ParaView's blue-grey and black
+  constexpr double readable = 0.7; // thin streaks: black on ParaView's blue-grey is nearer
   const auto isDim = [&](const StreakColor& choice) {
     return DistanceToNearest(choice, backgrounds) < readable;
   };
@@ -66,7 +65,7 @@ inline std::vector<StreakColor> ReadableOn(
 
 // Black, white or orange: the one that contrasts best with the backgrounds (two at the ends of a gradient) and the mean of `medium`, its colours. If the medium
 // has that colour somewhere, the one farthest from all its colours; if this is near one of them too, also green, magenta, cyan and yellow are candidates.
-// What cannot be read on a background is none.
+// Colours that cannot be read on a background are no candidates.
 inline StreakColor ContrastingColor(
   const std::vector<StreakColor>& backgrounds, const std::vector<StreakColor>& medium)
 {
