@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -40,6 +41,17 @@ struct SurfaceColorArray
     return surface->GetAttributes(this->OnCells ? vtkDataObject::CELL : vtkDataObject::POINT);
   }
 };
+
+/** By the scalar modes for field data; none by the others. */
+inline SurfaceColorArray ColoredArrayOf(vtkMapper* mapper)
+{
+  const bool onCells = mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
+  const bool isNamed = mapper->GetScalarVisibility() &&
+    mapper->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME &&
+    (onCells || mapper->GetScalarMode() == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
+  const char* name = isNamed ? mapper->GetArrayName() : nullptr;
+  return { name ? name : "", onCells };
+}
 
 /** In joined surfaces of which some lack the coloured array: 1 where they do, 0 elsewhere. */
 constexpr const char* withoutColorName = "NephoscopeWithoutColor";

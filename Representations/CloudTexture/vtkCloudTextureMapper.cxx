@@ -125,7 +125,8 @@ void vtkCloudTextureMapper::ComputeBounds()
     this->Superclass::ComputeBounds();
     return;
   }
-  this->Internals->Blocks.Join(composite, this->GetColoredArray())->GetBounds(this->Bounds);
+  this->Internals->Blocks.Join(composite, nephoscope::ColoredArrayOf(this))
+    ->GetBounds(this->Bounds);
 }
 
 void vtkCloudTextureMapper::ShallowCopy(vtkAbstractMapper* other)
@@ -180,7 +181,7 @@ void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     this->Superclass::RenderPiece(renderer, actor);
     return;
   }
-  vtkPolyData* joined = own.Blocks.Join(blocks, this->GetColoredArray());
+  vtkPolyData* joined = own.Blocks.Join(blocks, nephoscope::ColoredArrayOf(this));
   if (!own.ForBlocks)
   {
     own.ForBlocks = vtkSmartPointer<vtkCloudTextureMapper>::New();
@@ -213,15 +214,6 @@ void vtkCloudTextureMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
   {
     this->Superclass::RenderPieceStart(renderer, actor);
   }
-}
-
-nephoscope::SurfaceColorArray vtkCloudTextureMapper::GetColoredArray()
-{
-  const bool onCells = this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
-  const bool isNamed = this->ScalarVisibility && this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME &&
-    (onCells || this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-  const char* name = isNamed ? this->GetArrayName() : nullptr;
-  return { name ? name : "", onCells };
 }
 
 // Blocks without the array have the colour of the actor, as other surfaces do.

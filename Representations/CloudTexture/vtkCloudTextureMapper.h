@@ -26,11 +26,6 @@
 class vtkDataObject;
 class vtkShaderProgram;
 
-namespace nephoscope
-{
-struct SurfaceColorArray;
-}
-
 class VTKNEPHOSCOPEREPRESENTATIONSCLOUDTEXTURE_EXPORT vtkCloudTextureMapper
   : public vtkOpenGLPolyDataMapper
 {
@@ -275,18 +270,9 @@ public:
   using Superclass::MapScalars;
   vtkUnsignedCharArray* MapScalars(vtkDataSet* input, double alpha, int& cellFlag) override;
   int CanUseTextureMapForColoring(vtkDataObject* input) override;
-#ifndef __VTK_WRAP__
-  nephoscope::SurfaceColorArray GetColoredArray();
-#endif
   void ShallowCopy(vtkAbstractMapper* other) override;
-  bool HasOpaqueGeometry() override
-  {
-    return false;
-  }
-  bool HasTranslucentPolygonalGeometry() override
-  {
-    return true;
-  }
+  bool HasOpaqueGeometry() override { return false; }
+  bool HasTranslucentPolygonalGeometry() override { return true; }
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

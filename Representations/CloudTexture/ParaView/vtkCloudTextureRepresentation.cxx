@@ -366,7 +366,7 @@ void vtkCloudTextureRepresentation::TakeSurface(vtkDataObject* delivered)
   vtkNew<vtkMultiBlockDataSet> one;
   auto* blocks = vtkCompositeDataSet::SafeDownCast(delivered);
   vtkPolyData* joined =
-    this->Blocks.Join(blocks ? blocks : one.Get(), this->CloudMapper->GetColoredArray());
+    this->Blocks.Join(blocks ? blocks : one.Get(), nephoscope::ColoredArrayOf(this->CloudMapper));
   if (joined != this->CloudMapper->GetInput())
   {
     this->CloudMapper->SetInputData(joined);
