@@ -195,8 +195,8 @@ public:
    * orange or, where the medium has all of them, in green, magenta, cyan or yellow.
    */
   void SuitVectorColor(vtkVolumeProperty* property, const double background[3]);
-  void SuitVectorColor(
-    vtkVolumeProperty* property, const double bottom[3], const double top[3]); // of a gradient
+  /** The same on a gradient of two background colours, each of three numbers from 0 to 1. */
+  void SuitVectorColor(vtkVolumeProperty* property, const double bottom[3], const double top[3]);
 
   /**
    * VectorUnit, or the value that would be used for the present input if it is 0; 0 without an array of vectors. To keep the pictures of a film comparable, call
