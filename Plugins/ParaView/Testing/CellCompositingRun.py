@@ -2,15 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Not a test by itself: draws the pictures that CellCompositingRanks.py compares.
 
-Usage: CellCompositingRun.py PREFIX [PORT]; with a port it draws on a pvserver there.
+Usage: CellCompositingRun.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there.
 """
 import sys
 
 import numpy as np
-from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs, solid
+from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs, solid, wanted
 
 
 def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(), balls=None, **properties):
+    if not wanted(name):
+        return
     view = new_view()
     display = compose(source, view, array)
     display.CellCompositingOpacityScale = opacity_scale

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Not a test by itself: draws the pictures that CloudTextureRanks.py compares.
 
-Usage: CloudTextureRun.py PREFIX [PORT]; with a port it draws on a pvserver there.
+Usage: CloudTextureRun.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there.
 """
 import sys
 

@@ -21,10 +21,10 @@ def distances(view, mapper):
 
 
 load_plugin()
-view = new_view((700, 700))
-source = pvs.Wavelet(WholeExtent=[-40, 40] * 3)
+view = new_view((300, 300))
+source = pvs.Wavelet(WholeExtent=[-24, 24] * 3)
 display = compose(source, view)
-look(view, (200, 150, 230))
+look(view, (120, 90, 138))
 still = image(view)
 mapper = mapper_of(view)
 rate = view.GetClientSideObject().GetRenderWindow().GetDesiredUpdateRate()

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The first picture of every filter and source, nothing set: representation, colours, opacities and camera."""
+import functools
 import math
 import re
 
@@ -39,6 +40,7 @@ def check_display(display, what, representation, array, association="POINTS"):
     check(name[1] == array and (not array or name[0] == association), f"{what} is coloured by {name}")
 
 
+@functools.cache
 def globe():
     weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VOI=[0, 10**6] * 3, SampleRateI=3, SampleRateJ=3)
     return weather, pvs.GlobeGrid(Input=weather, VerticalExaggeration=30)
@@ -69,6 +71,11 @@ def check_camera():
     pvs.Delete(view)
 
 
+@functools.cache
+def example():
+    return pvs.CloudsovertheGlobe()
+
+
 def eye_over(view):
     """Longitude and latitude in degrees that the camera looks down on, and the height of north in the picture, -1 to 1."""
     eye = np.subtract(view.CameraPosition, view.CameraFocalPoint)
@@ -81,9 +88,8 @@ def eye_over(view):
 def check_globe_camera():
     """A globe is first seen from above middle latitudes, a region from above itself, north up; a camera that somebody has turned stays."""
     view = new_view(SIZE)
-    example = pvs.CloudsovertheGlobe()
     for port in range(2):  # as Apply does
-        pvs.Show(pvs.OutputPort(example, port), view)
+        pvs.Show(pvs.OutputPort(example(), port), view)
     share = shown(view, "globe-from-the-side")
     _, latitude, north = eye_over(view)
     check(15 < latitude < 50 and north > 0.999, f"the example is seen from latitude {latitude:.0f}, north {north:.2f}")
@@ -92,10 +98,9 @@ def check_globe_camera():
 
     for what in ("camera reset", "smoke too"):  # before the first picture, as the window does
         view = new_view(SIZE)
-        clouds = pvs.CloudsovertheGlobe()
-        pvs.Show(clouds, view)
+        pvs.Show(example(), view)
         if what == "smoke too":
-            pvs.Show(pvs.FlowVolume(Input=clouds), view)
+            pvs.Show(pvs.FlowVolume(Input=example()), view)
         pvs.ResetCamera(view)
         shown(view, f"globe-{what}".replace(" ", "-"))
         _, latitude, north = eye_over(view)
@@ -119,12 +124,12 @@ def check_globe_camera():
 
     view = new_view(SIZE)
     view.CameraPosition, view.CameraViewUp = [3e7, 0, 0], [0, 1, 0]
-    pvs.Show(pvs.CloudsovertheGlobe(), view)
+    pvs.Show(example(), view)
     pvs.Render(view)
     check(list(view.CameraPosition) == [3e7, 0, 0], "the camera has turned although it had been set")
     pvs.Delete(view)
     view = new_view(SIZE)
-    pvs.Show(pvs.CloudsovertheGlobe(), view)
+    pvs.Show(example(), view)
     view.CameraPosition, view.CameraFocalPoint = [0, 0, 3e7], [0, 0, 0]
     pvs.Render(view)
     check(list(view.CameraPosition) == [0, 0, 3e7], "the camera has turned although it had been set above the pole")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Not a test by itself: draws the pictures that HazeRanks.py compares.
 
-Usage: HazeRun.py PREFIX [PORT]; with a port it draws on a pvserver there.
+Usage: HazeRun.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there.
 """
 import sys
 

@@ -46,6 +46,11 @@ def set_background(view, color):
     view.Background = list(color)
 
 
+def wanted(name):
+    """Whether a script that saves pictures, SCRIPT.py PREFIX [PORT NAMES], shall draw this one: all of them without NAMES, which commas separate."""
+    return len(sys.argv) < 4 or name in sys.argv[3].split(",")
+
+
 def look(view, position=(60, 45, 70), focal_point=(0, 0, 0)):
     view.CameraPosition = list(position)
     view.CameraFocalPoint = list(focal_point)

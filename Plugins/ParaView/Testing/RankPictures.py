@@ -33,13 +33,14 @@ def pictures(prefix, output, names):
 
 
 def run_with_server(script, names):
-    """The same on a pvserver, which waits on a free port that it announces; the client draws there."""
+    """The pictures of these names, which are all that is drawn, on a pvserver. It waits on a free port that it announces; the client draws there."""
     log = os.path.join(OUTPUT, f"{script}-server.log")
     with open(log, "w") as file:
         server = subprocess.Popen([program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, stdout=file, stderr=subprocess.STDOUT)
     try:
         prefix = prefix_of(script, "server")
-        return pictures(prefix, output_of([program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, announced_port(log)], limit=300), names)
+        command = [program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, announced_port(log), ",".join(names)]
+        return pictures(prefix, output_of(command, limit=300), names)
     finally:
         server.kill()
         server.wait()

@@ -2,24 +2,39 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Not a test by itself: draws the pictures that SunRanks.py compares.
 
-Usage: SunRun.py PREFIX [PORT]; with a port it draws on a pvserver there.
+Usage: SunRun.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there.
 """
 import sys
 
 import numpy as np
-from PluginTesting import GFS, image, load_plugin, new_view, passed, pvs, set_background, solid
+from PluginTesting import GFS, image, load_plugin, new_view, passed, pvs, set_background, solid, wanted
+
+
+def draw_shadows():
+    """Clouds of one rank cast their shadows into the parts of the others."""
+    view = new_view((120, 90))
+    lumps = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Extinction", Function="if(RTData>160,0.4,0)")
+    lit = pvs.Sunlight(Input=lumps, SunDirection=[2, 1, 0.5])
+    pvs.Show(lit, view)
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [50, -60, -20], [0, 0, 0], [0, 0, 1]
+    np.save(f"{sys.argv[1]}-shadows.npy", image(view))
+    pvs.Delete(view)
+
+
+def draw_clouds(view, sun):
+    clouds = pvs.CloudsovertheGlobe()
+    pvs.Show(pvs.Sunlight(Input=pvs.CloudOptics(Input=clouds), Sun=sun), view)
+    pvs.Show(pvs.OutputPort(clouds, 1), view)
+    pvs.Show(sun, view)
+    np.save(f"{sys.argv[1]}-clouds.npy", image(view))
+
 
 if len(sys.argv) > 2:
     pvs.Connect("localhost", int(sys.argv[2]))
 load_plugin()
-# Clouds of one rank cast their shadows into the parts of the others.
-view = new_view((120, 90))
-lumps = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Extinction", Function="if(RTData>160,0.4,0)")
-lit = pvs.Sunlight(Input=lumps, SunDirection=[2, 1, 0.5])
-pvs.Show(lit, view)
-view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [50, -60, -20], [0, 0, 0], [0, 0, 1]
-np.save(f"{sys.argv[1]}-shadows.npy", image(view))
-pvs.Delete(view)
+pvs._DisableFirstRenderCameraReset()  # whichever picture is the first
+if wanted("shadows"):
+    draw_shadows()
 sun = pvs.Sun(DateTime="2011-10-11 18:00")
 view = new_view((120, 90))
 globe = pvs.GlobeGrid(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VerticalExaggeration=30)
@@ -33,9 +48,6 @@ for name, hours in (("noon", 0), ("evening", 5)):
     np.save(f"{sys.argv[1]}-{name}.npy", image(view))
 for each in pvs.GetSources().values():
     pvs.Hide(each, view)
-clouds = pvs.CloudsovertheGlobe()
-pvs.Show(pvs.Sunlight(Input=pvs.CloudOptics(Input=clouds), Sun=sun), view)
-pvs.Show(pvs.OutputPort(clouds, 1), view)
-pvs.Show(sun, view)
-np.save(f"{sys.argv[1]}-clouds.npy", image(view))
+if wanted("clouds"):
+    draw_clouds(view, sun)
 passed()

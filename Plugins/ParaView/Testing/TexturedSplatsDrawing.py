@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the scripts share whose pictures of splats are compared between numbers of ranks.
 
-Usage of such a script: SCRIPT.py PREFIX [PORT]; with a port it draws on a pvserver there.
+Usage of such a script: SCRIPT.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there.
 """
 import sys
 
 import numpy as np
-from PluginTesting import GFS, compose, image, load_plugin, look, new_view, pvs
+from PluginTesting import GFS, compose, image, load_plugin, look, new_view, pvs, wanted
 
 
 def begin():
@@ -17,7 +17,9 @@ def begin():
 
 
 def draw(name, source, array=("POINTS", "RTData"), distance=1, place=None, **settings):
-    """Saves the picture of a source, with these properties of Textured Splats and of the display."""
+    """Unless others alone are wanted, saves the picture of a source, with these properties of Textured Splats and of the display."""
+    if not wanted(name):
+        return
     view = new_view()
     display = compose(source, view, array, "Textured Splats")
     for key, value in (place or {}).items():
