@@ -7,13 +7,13 @@ Usage: CellCompositingRun.py PREFIX [PORT NAMES]; with a port it draws on a pvse
 import sys
 
 import numpy as np
-from PluginTesting import compose, image, load_plugin, look, new_view, passed, pvs, solid, wanted
+from PluginTesting import clear, compose, empty_view, image, load_plugin, look, passed, pvs, solid, wanted
 
 
 def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(), balls=None, **properties):
     if not wanted(name):
         return
-    view = new_view()
+    view = empty_view()
     display = compose(source, view, array)
     display.CellCompositingOpacityScale = opacity_scale
     for property_name, value in properties.items():
@@ -26,7 +26,7 @@ def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(),
         solid(pvs.Show(pvs.Sphere(Center=balls, Radius=4), view), [0, 0, 1])
     look(view)
     picture = image(view)
-    pvs.Delete(view)
+    clear(view)
     np.save(f"{sys.argv[1]}-{name}.npy", picture)
 
 

@@ -8,7 +8,7 @@ import sys
 
 import numpy as np
 from CloudTextureScenes import CLOUDS
-from PluginTesting import image, load_plugin, look, new_view, passed, pvs, solid
+from PluginTesting import clear, empty_view, image, load_plugin, look, passed, pvs, solid
 
 # Each rank has some of the faces of a cube: four points each, with the normal of the face.
 FACES = """
@@ -42,14 +42,14 @@ def faces_of_cube():
 
 
 def draw(name, source):
-    view = new_view()
+    view = empty_view()
     display = pvs.Show(source, view)
     solid(display, [1, 1, 1])
     display.SetRepresentationType(CLOUDS)
     look(view)
     pvs.ResetCamera(view)
     np.save(f"{sys.argv[1]}-{name}.npy", image(view))
-    pvs.Delete(view)
+    clear(view)
 
 
 def hexahedra():

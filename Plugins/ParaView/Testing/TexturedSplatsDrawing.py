@@ -7,7 +7,7 @@ Usage of such a script: SCRIPT.py PREFIX [PORT NAMES]; with a port it draws on a
 import sys
 
 import numpy as np
-from PluginTesting import GFS, compose, image, load_plugin, look, new_view, pvs, wanted
+from PluginTesting import GFS, clear, compose, empty_view, image, load_plugin, look, pvs, wanted
 
 
 def begin():
@@ -20,7 +20,7 @@ def draw(name, source, array=("POINTS", "RTData"), distance=1, place=None, **set
     """Unless others alone are wanted, saves the picture of a source, with these properties of Textured Splats and of the display."""
     if not wanted(name):
         return
-    view = new_view()
+    view = empty_view()
     display = compose(source, view, array, "Textured Splats")
     for key, value in (place or {}).items():
         setattr(display, key, value)
@@ -28,7 +28,7 @@ def draw(name, source, array=("POINTS", "RTData"), distance=1, place=None, **set
         setattr(display, "TexturedSplats" + key, value)
     look(view, position=[distance * c for c in (60, 45, 70)])
     picture = image(view)
-    pvs.Delete(view)
+    clear(view)
     np.save(f"{sys.argv[1]}-{name}.npy", picture)
 
 
