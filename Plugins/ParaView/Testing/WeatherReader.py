@@ -18,6 +18,16 @@ fields = [(name, "isobaricInhPa", level, value + day, {"dataDate": 20200101 + da
           for name, value in (("gh", z), ("t", 250), ("cc", 0.5))]
 write_grib(sys.argv[1], fields, REGULAR)
 """
+WRITE_HYBRID = """
+import sys
+import numpy as np
+import xarray
+axes = {"lat": ("lat", np.arange(-60.0, 61, 20), {"units": "degrees_north"}), "lon": ("lon", np.arange(0.0, 360, 30), {"units": "degrees_east"})}
+level = ("lev", [0.9, 0.5, 0.2], {"standard_name": "atmosphere_sigma_coordinate", "axis": "Z", "formula_terms": "sigma: lev ps: ps ptop: ptop", "positive": "down"})
+xarray.Dataset({"cl": (("lev", "lat", "lon"), np.full((3, 7, 12), 0.5, "f4"), {"standard_name": "cloud_area_fraction_in_atmosphere_layer", "units": "1"}),
+                "ps": (("lat", "lon"), np.full((7, 12), 1e5, "f4"), {"standard_name": "surface_air_pressure", "units": "Pa"}), "ptop": ((), 0.0, {"units": "Pa"})},
+               coords={**axes, "lev": level}).to_netcdf(sys.argv[1])
+"""
 
 
 def files(folder):
@@ -71,6 +81,21 @@ def told(reader, path, folder, window):
     assert "/nowhere/python3" in window.GetOutput() and "export NEPHOSCOPE_PYTHON=" in window.GetOutput(), window.GetOutput()
 
 
+def warned(folder, window):
+    """What was assumed is told once, with what a user of ParaView can do; a reader with another file starts anew."""
+    path = os.path.join(folder, "clouds.nc")
+    subprocess.run([PYTHON, "-c", WRITE_HYBRID, path], check=True)
+    before = window.GetOutput()
+    reader = globals()["WeatherDataReader"](FileName=path)
+    for levels in ([0, 2], [0, 1]):
+        reader.Levels = levels
+        reader.UpdatePipeline()
+    words = window.GetOutput()[len(before):]
+    assert words.count("No temperature was found on the levels 'lev'") == 1, words
+    assert f"(In ParaView: do that in Python, with ds = nephoscope.open({path!r})" in words and "save('globe.vtk')" in words, words
+    Delete(reader)
+
+
 def known_to_the_dialog(path):
     """What File > Open asks: which readers there are for a name. A GRIB file has this one alone. Its clouds are drawn as a volume, and one level as a surface."""
     factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
@@ -114,6 +139,7 @@ def main():
         usual, window = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
         vtkOutputWindow.SetInstance(window)
         try:
+            warned(folder, window)
             told(reader, path, folder, window)
         finally:
             vtkOutputWindow.SetInstance(usual)  # what is printed goes there too

@@ -104,10 +104,19 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkDataSet")
         self._settings = {"path": None, "mesh": None, "grid": -1, "levels": (0, 100000), "globe": {"projection": "globe", "vertical_exaggeration": 30.0, "radius": 6371000.0}}
         self._process, self._folder = Process(), tempfile.TemporaryDirectory()
-        self._problem = ""
+        self._problem, self._told = "", set()
         self._is_open, self._times, self._first, self._last_level = False, None, None, 100000
         self._selection = vtkDataArraySelection()
         self._selection.AddObserver("ModifiedEvent", lambda *_: self._changed(False))
+
+    def _ask(self, **request):
+        """The answer of the worker, whose warnings are told once for each file."""
+        answer = self._process.ask(**request)
+        for text in answer["warnings"]:
+            if text not in self._told:
+                self._told.add(text)
+                vtkOutputWindow.GetInstance().DisplayWarningText(f"Weather data: {text}\n")
+        return answer
 
     def _set(self, key, value, reopen=False):
         if self._settings[key] != value:
@@ -118,6 +127,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         self._first = None
         if reopen:
             self._is_open = False
+            self._told.clear()
         self.Modified()
 
     def SetFileName(self, path):
@@ -165,7 +175,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         for file in filter(None, (self._settings["mesh"], path)):
             if problem := missing_packages(interpreter(), file):
                 raise RuntimeError(problem)
-        found = self._process.ask(do="open", path=path, mesh=self._settings["mesh"], grid=None if grid < 0 else grid)
+        found = self._ask(do="open", path=path, mesh=self._settings["mesh"], grid=None if grid < 0 else grid)
         for name in {self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())} - {*found["variables"]}:  # of an earlier file
             self._selection.RemoveArrayByName(name)
         for name in found["variables"]:
@@ -179,7 +189,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
             return self._first
         names = [self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())]
         file = os.path.join(self._folder.name, "mesh.vtk")
-        self._process.ask(do="mesh", file=file, step=None if self._times is None else step, levels=list(self._settings["levels"]),
+        self._ask(do="mesh", file=file, step=None if self._times is None else step, levels=list(self._settings["levels"]),
                           variables=[name for name in names if self._selection.ArrayIsEnabled(name)], options=self._settings["globe"])
         reader = vtkDataSetReader()
         reader.SetFileName(file)

@@ -7,13 +7,25 @@ eccodes cannot run in ParaView's own process: its libraries and ParaView's have 
 from __future__ import annotations
 
 import json
+import re
 import sys
 import warnings
+
+PYTHON = re.compile(r"\b(ds|dataset)\b[.,\[]|\b(globe|terrain|column|describe|open|merge)\(")  # what ParaView's panel does not have
+
+
+def in_paraview(text: str, path: str) -> str:
+    """A message of the package, and how a user of ParaView follows a remedy that is written in Python."""
+    if not PYTHON.search(text):
+        return text
+    return (f"{text} (In ParaView: do that in Python, with ds = nephoscope.open({path!r}), save the result, ds.nephoscope.globe().save('globe.vtk') with the arguments that are named, "
+            "and open globe.vtk.)")
 
 
 class Worker:
     def __init__(self) -> None:
         self._dataset = self._level = None
+        self.path = ""
 
     def open(self, path: str, mesh: str | None, grid: int | None) -> dict:
         import numpy as np
@@ -21,6 +33,7 @@ class Worker:
         import nephoscope
         from nephoscope.weather.reading import Reading
         from nephoscope.weather.times import seconds_of, when
+        self.path = path
         self._dataset = nephoscope.open(path, grid=grid, mesh=mesh)
         reading = Reading(self._dataset, time=0)
         self._level = reading.vertical.dim if reading.vertical else None
@@ -55,8 +68,8 @@ def main() -> None:
             try:
                 answer = getattr(worker, request.pop("do"))(**request)
             except Exception as problem:  # shown in ParaView's window
-                answer = {"error": str(problem)}
-        answer["warnings"] = [str(one.message) for one in caught if one.category in (UserWarning, RuntimeWarning)]
+                answer = {"error": in_paraview(str(problem), worker.path)}
+        answer["warnings"] = [in_paraview(str(one.message), worker.path) for one in caught if one.category in (UserWarning, RuntimeWarning)]
         print(json.dumps(answer), file=answers, flush=True)
 
 
