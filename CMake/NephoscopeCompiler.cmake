@@ -32,7 +32,7 @@ function (nephoscope_target_options target)
 endfunction ()
 
 if (NEPHOSCOPE_SANITIZE)
-  add_compile_options(-fsanitize=${NEPHOSCOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g)
+  add_compile_options(-fsanitize=${NEPHOSCOPE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1) # lines are all that a finding names
   add_link_options(-fsanitize=${NEPHOSCOPE_SANITIZE})
 endif ()
 
