@@ -244,15 +244,16 @@ def picture(elements, peels=False, background=BACKGROUND, haze=None, renders=1):
 def light_of(elements, view, background=BACKGROUND, haze=None):
     """The reference: (height, width, 3)."""
     rays = view.width * view.height
-    depth, emission = np.zeros((rays, STEPS)), np.zeros((rays, STEPS, 3))
-    for element in elements:
-        own = element.depths(view)
-        depth += own
-        emission += own[..., None] * element.colors()
+    media = [(element.depths(view), element.colors()) for element in elements]
+    steps = np.flatnonzero(np.any([own.any(axis=0) for own, _ in media], axis=0))  # those with a medium: in others no light changes
+    depth, emission = np.zeros((rays, len(steps))), np.zeros((rays, len(steps), 3))
+    for own, colors in media:
+        depth += own[:, steps]
+        emission += own[:, steps, None] * colors[steps]
     share = np.where(depth > 1e-12, -np.expm1(-depth) / np.maximum(depth, 1e-12), 1.0)
     opacity = -np.expm1(-depth)
     air = np.ones(STEPS + 1) if not haze else np.exp(-haze.extinction * (EYE - EDGES))
-    middle = np.sqrt(air[1:] * air[:-1])[None, :, None]
+    middle = np.sqrt(air[1:] * air[:-1])[steps][None, :, None]
     light = share[..., None] * emission * middle
     if haze:
         light += (opacity[..., None] * (1 - middle)) * np.asarray(haze.color)
@@ -260,11 +261,12 @@ def light_of(elements, view, background=BACKGROUND, haze=None):
     sheets = sorted((s for s in (e.sheet(view) for e in elements) if s), key=lambda s: -s[0])
     total, passed, begin = np.zeros((rays, 3)), np.ones((rays, 1)), 0
     for z, color, alpha in sheets + [(EDGES[-1], None, None)]:
-        end = int(np.argmin(np.abs(EDGES - z)))
+        edge = int(np.argmin(np.abs(EDGES - z)))
+        end = int(np.searchsorted(steps, edge))
         total += np.einsum("ij,ijk->ik", passed * clear[:, begin:end], light[:, begin:end]) / clear[:, begin:begin + 1]
         passed = passed * (clear[:, end] / clear[:, begin])[:, None]
         if color is not None:
-            t = air[end]
+            t = air[edge]
             seen = color * t + (1 - t) * np.asarray(haze.color) if haze else color
             total, passed = total + passed * alpha * seen, passed * (1 - alpha)
         begin = end
