@@ -181,29 +181,29 @@ def crossed(contoured, inside, surfaces):
         yield between, opacity, rgb
 
 
-def meets(bounds, origins, directions):
-    """Whether each ray meets the box, or nearly does."""
+def way_through(bounds, origins, directions):
+    """World lengths along each ray at which it enters the box, or one a little larger, and leaves it. It misses a box that it leaves first."""
     low, high = np.array(bounds).reshape(3, 2).T
     with np.errstate(divide="ignore", invalid="ignore"):
         t = np.stack([low - 1e-6 - origins, high + 1e-6 - origins]) / directions
-    return ~(np.nanmax(t.min(axis=0), axis=1) > np.nanmin(t.max(axis=0), axis=1))
+    return np.nanmax(t.min(axis=0), axis=1), np.nanmin(t.max(axis=0), axis=1)
 
 
 def dense(data, view, *arguments, **options):
-    """(height, width, 4) of `samples_of` rays that meet the bounds; others see nothing."""
-    rays = view.rays()
-    hit = meets(data.GetBounds(), *rays[:2])
+    """(height, width, 4) of `samples_of` rays where they are within the bounds; others see nothing."""
+    origins, directions, near, far = view.rays()
+    enter, leave = way_through(data.GetBounds(), origins, directions)
+    start, end = np.maximum(near, enter), np.minimum(far, leave)
+    hit = start < end
     rgba = np.zeros((len(hit), 4))
-    rgba[hit] = samples_of(data, [a[hit] for a in rays], *arguments, **options)
+    rgba[hit] = samples_of(data, [a[hit] for a in (origins, directions, start, end)], *arguments, **options)
     return rgba.reshape(view.height, view.width, 4)
 
 
-def samples_of(data, rays, transfer, field=None, samples=1200, opacity=None, surfaces=(), contoured=None):
+def samples_of(data, rays, transfer, field=None, samples=700, opacity=None, surfaces=(), contoured=None):
     """Samples in the middles of as many parts of each ray, composited, and surfaces between them. opacity, contoured: fields of arrays
     of their own."""
-    origins, directions, near, far = rays
-    middle = -np.einsum("ij,ij->i", origins, directions)
-    start, end = np.maximum(near, middle - 0.9), np.minimum(far, middle + 0.9)
+    origins, directions, start, end = rays
     step = (end - start) / samples
     t = start[:, None] + step[:, None] * (np.arange(samples) + 0.5)
     places = (origins[:, None] + t[..., None] * directions[:, None]).reshape(-1, 3)

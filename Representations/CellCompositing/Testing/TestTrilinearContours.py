@@ -45,7 +45,7 @@ class TrilinearContours(unittest.TestCase):
                 seen = 0
                 for name in FAR:
                     image = drawn.picture(VIEWS[name])
-                    expected = dense(data, drawn.scene.view(), transfer, trilinear_field(data), 3000, surfaces=SURFACES)
+                    expected = dense(data, drawn.scene.view(), transfer, trilinear_field(data), 1700, surfaces=SURFACES)
                     self.check(image, expected, f"{field.__name__}, {'clear' if transfer is CLEAR else 'medium'}, {name}", most)
                     seen += int((expected[..., 3] > 0.2).sum())
                 self.assertGreater(seen, 500)
@@ -62,7 +62,7 @@ class TrilinearContours(unittest.TestCase):
                     drawn = self.drawn(stored, RAMP, interpolation="Trilinear")
                     image = drawn.picture(VIEWS[view])
                     if expected is None:
-                        expected = dense(data, drawn.scene.view(), RAMP, field, 2000, surfaces=SURFACES)
+                        expected = dense(data, drawn.scene.view(), RAMP, field, 1600, surfaces=SURFACES)
                     self.check(image, expected, f"{name}, {stored.GetClassName()}, {view}", 4 if name == "bent" else 3)
                     self.assertEqual(drawn.window.messages.all, [])
 
@@ -76,7 +76,7 @@ class TrilinearContours(unittest.TestCase):
             for name in ("far", "inside"):
                 image = drawn.picture(VIEWS[name])
                 field = trilinear_field(data) if association == "point" else lambda p: (np.full(len(p), 0.5), np.abs(p).max(axis=1) <= 0.5)
-                expected = dense(data, drawn.scene.view(), RAMP, field, 3000, surfaces=SURFACES, contoured=trilinear_field(data, "t"))
+                expected = dense(data, drawn.scene.view(), RAMP, field, 1700, surfaces=SURFACES, contoured=trilinear_field(data, "t"))
                 self.check(image, expected, f"another array, {association}, {name}", 3)
 
     def check_another_array(self, data, field_of, label, association, most):
@@ -110,7 +110,7 @@ class TrilinearContours(unittest.TestCase):
         meshes.add_array(data.GetPointData(), other(meshes.points_of(data)).astype(np.float32), "o")
         drawn = self.drawn(data, RAMP, opacity="o")
         image = drawn.picture()
-        expected = dense(data, drawn.scene.view(), RAMP, trilinear_field(data), 3000, trilinear_field(data, "o"), SURFACES)
+        expected = dense(data, drawn.scene.view(), RAMP, trilinear_field(data), 1700, trilinear_field(data, "o"), SURFACES)
         self.check(image, expected, "opacity array", 3)
 
     def test_normals(self):

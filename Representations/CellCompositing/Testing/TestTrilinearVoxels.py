@@ -48,7 +48,7 @@ class TrilinearVoxels(unittest.TestCase):
         """Pieces are linear to within 1/512 of the scalar's range, a tenth of the flanks of the spike: rays that graze it are inexact."""
         data, image = drawn.mapper.GetInputDataObject(0, 0), drawn.picture(VIEWS[view])
         field = trilinear_field(data, "o") if opacity else None
-        expected = dense(data, drawn.scene.view(), transfer, trilinear_field(data), 1200, field)
+        expected = dense(data, drawn.scene.view(), transfer, trilinear_field(data), 700, field)
         self.check(image, expected, f"{name} {view}", (1 if name == "spike" else 2 * STEP))
         if name == "spike":
             error = np.percentile(np.abs(image - expected).max(axis=-1), 98)
@@ -76,7 +76,7 @@ class TrilinearVoxels(unittest.TestCase):
         meshes.add_array(data.GetPointData(), steep(meshes.points_of(data)).astype(np.float32), "o")
         drawn = ByDefault(data, RAMP, "o", interpolation="Tetrahedra")
         image = drawn.picture()
-        expected = dense(data, drawn.scene.view(), RAMP, trilinear_field(data), 1200, trilinear_field(data, "o"))
+        expected = dense(data, drawn.scene.view(), RAMP, trilinear_field(data), 700, trilinear_field(data, "o"))
         self.assertGreater(np.abs(image - expected).max(), 5 * STEP)
 
     def test_the_same_array_twice(self):
@@ -106,7 +106,7 @@ class TrilinearVoxels(unittest.TestCase):
         data.Modified()
         after = drawn.picture()
         self.assertGreater(np.abs(after - before).max(), 10 * STEP)
-        self.check(after, dense(data, drawn.scene.view(), RAMP, trilinear_field(data), 1200, trilinear_field(data, "o")), "changed", 2 * STEP)
+        self.check(after, dense(data, drawn.scene.view(), RAMP, trilinear_field(data), 700, trilinear_field(data, "o")), "changed", 2 * STEP)
 
     def test_other_grids_keep_their_tetrahedra(self):
         data = with_values(even(), steep)
