@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Textured clouds in the wind, frame by frame through a day and more: nothing pops when a set of coordinates is born, the cover does not
+"""Textured clouds in the wind, frame by frame through half a day and more: nothing pops when a set of coordinates is born, the cover does not
 pulse, and the cut of the longitudes does not show."""
 import unittest
 
@@ -9,7 +9,7 @@ from moving_texture import COLUMNS, Clouds, Layer
 
 SCALE = 12
 BIRTHS = (12, 24, 36)  # of the two sets by turns; the first one's first is at hour 0
-FRAMES = np.arange(11, 37.01, 0.25)  # a day of frames of 15 minutes, with an hour before its first birth and after its last
+FRAMES = np.arange(11, 25.01, 0.25)  # of 15 minutes, from a birth of one set to one of the other, with an hour before and after
 SECOND = 1 / 3600
 KEY_FRAMES = {"every frame": 0, "one frame in four": 3600}
 
