@@ -123,6 +123,74 @@ class Sections(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "one level or section: draw it by dataset.nephoscope.plot"):
             nephoscope.animate(plotter, dataset().sel(lon=[0]).expand_dims(time=2), "place")
 
+    def labels(self, plotter, letter):
+        source = plotter.renderer.actors[f"labels_{letter}-labels"].GetMapper().GetInputAlgorithm()
+        source.Update()
+        labels = source.GetInputDataObject(0, 0).GetPointData().GetAbstractArray("labels")
+        return [labels.GetValue(i) for i in range(labels.GetNumberOfValues())]
+
+    def test_the_sea_floor(self):
+        """A seamount that is the same on both sides looks the same on both sides, before land that is seen, with depths in metres, also in a film."""
+        latitudes, depths = np.arange(-10, 11.0), np.arange(0, 1001, 100.0)
+        salinity = np.where(depths[:, None] <= 100 + np.abs(latitudes) * 90, 35 + depths[:, None] / 1000 + 0 * latitudes, np.nan)
+        data = xarray.Dataset({"place": (("depth", "lat"), salinity, {"standard_name": "sea_water_salinity", "units": "1e-3"})},
+                              {"depth": ("depth", depths, {"units": "m", "positive": "down"}), "lat": ("lat", latitudes, {"units": "degrees_north"}), "lon": ((), 20.0, {"units": "degrees_east"})})
+        plotter, sheet = self.drawn(data)
+        places = [np.round(sheet.cell_centers().points * (side, 1, 1), 6) for side in (1, -1)]
+        self.assertEqual(*({tuple(place + 0.0) for place in side} for side in places))
+        self.assertEqual(len(places[0]), 2 * sum((100 + 90 * side) // 100 for side in range(10)))
+        self.assertEqual(self.labels(plotter, "z"), ["-1000", "-800", "-600", "-400", "-200", "0", "m"])
+        _, _, films = self.film(xarray.concat([data, data], "time"))
+        for picture in (plotter.screenshot(return_img=True), np.asarray(films[1]["PNGImage"])[:, :3].reshape(300, 300, 3)[::-1]):
+            colours = {tuple(colour) for colour in picture.reshape(-1, 3)}
+            land = tuple(round(255 * part) for part in (0.42, 0.38, 0.34))
+            self.assertIn(land, colours)
+            rows = [row for row in (picture == land).all(axis=2) if row.any()]
+            middles = [np.flatnonzero(row).mean() for row in rows]
+            self.assertLess(np.ptp(middles), 2)
+
+    def curvilinear(self):
+        """`dataset` with the latitudes turned against the longitudes, on rows y and columns x, and the winds of its rows."""
+        data = dataset()
+        longitude, latitude = np.meshgrid(LON, LAT)
+        attrs = [{"units": "degrees_east", "standard_name": "longitude"}, {"units": "degrees_north", "standard_name": "latitude"}]
+        return data.drop_vars(["lon", "lat"]).rename(lat="y", lon="x").assign_coords(lon=(("y", "x"), longitude - 0.2 * latitude, attrs[0]), lat=(("y", "x"), latitude + 0.2 * longitude, attrs[1]))
+
+    def test_rows_and_columns_of_curvilinear_grids(self):
+        """They are drawn by the distance on the sphere, from the west or the south."""
+        data = self.curvilinear()
+        for section, end in ((data.isel(y=12), ["8.0°S 40.0°W", "8.0°N 40.0°E"]), (data.isel(y=[12]), ["8.0°S 40.0°W", "8.0°N 40.0°E"]), (data.isel(y=12, x=slice(None, None, -1)), ["8.0°S 40.0°W", "8.0°N 40.0°E"]),
+                             (data.isel(x=8), ["60.0°S 12.0°E", "60.0°N 12.0°W"])):
+            for options in ({}, {"projection": "map"}):
+                plotter, sheet = self.drawn(section, **options)
+                longitude, latitude = (np.radians(np.ravel(section[name])) for name in ("lon", "lat"))
+                places = np.stack([np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)])
+                steps = 6371.0 * np.arccos((places[:, 1:] * places[:, :-1]).sum(axis=0))
+                self.assertAlmostEqual(np.ptp(sheet.bounds[:2]) / steps.sum(), 1, 4)
+                self.assertEqual(self.labels(plotter, "x")[-1], f"km from {end[0]} to {end[1]}")
+                self.assertEqual(self.labels(plotter, "z")[-1], "km")
+                west = np.asarray(sheet["place"])[np.argmin(sheet.points[:, 0])]
+                self.assertAlmostEqual(float(west), (-0.04 if "y" not in section.dims or section.sizes["y"] == 1 else -60), 4)
+
+    def test_rows_of_rotated_poles(self):
+        """With and without longitudes and latitudes in the file; the wind speed is the same."""
+        data = dataset().drop_vars(["lon", "lat"]).rename(lat="rlat", lon="rlon").assign_coords(
+            rlat=("rlat", LAT / 10, {"standard_name": "grid_latitude", "units": "degrees"}), rlon=("rlon", LON / 10, {"standard_name": "grid_longitude", "units": "degrees"}))
+        data["pole"] = ((), 0, {"grid_mapping_name": "rotated_latitude_longitude", "grid_north_pole_latitude": 40.0, "grid_north_pole_longitude": -170.0})
+        for name, value, standard in (("ua", 3.0, "grid_eastward_wind"), ("va", 4.0, "grid_northward_wind")):
+            data[name] = data.place.copy(data=np.full(data.place.shape, value)).assign_attrs(standard_name=standard, units="m s-1")
+        for name in ("place", "ua", "va"):
+            data[name].attrs["grid_mapping"] = "pole"
+        for section, degrees in ((data.isel(rlat=5), 8.0), (data.isel(rlon=3), 12.0)):
+            _, sheet = self.drawn(section)
+            self.assertAlmostEqual(np.ptp(sheet.bounds[:2]), np.radians(degrees) * 6371, delta=0.01 * np.radians(degrees) * 6371)
+            _, sheet = self.drawn(section, "wind_speed")
+            np.testing.assert_allclose(sheet["wind_speed"], 5, rtol=1e-5)
+
+    def test_a_row_is_no_mesh(self):
+        with self.assertRaisesRegex(ValueError, r"points of \(x\) lie along a line.*dataset.nephoscope.plot"):
+            self.curvilinear().isel(y=12, x=slice(0, 3)).nephoscope.globe()
+
     def test_options_of_volumes_are_refused(self):
         with self.assertRaisesRegex(ValueError, "opacity_scale: an option of volumes"):
             self.drawn(dataset().sel(lon=0), opacity_scale=2)

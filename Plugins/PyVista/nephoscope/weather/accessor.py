@@ -237,7 +237,8 @@ class WeatherAccessor:
              background: Any = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
-        A section at one longitude or latitude, or a mean along these, is drawn by latitude or longitude and height. With ``projection="map"`` the picture is a map, seen from above with north up. Data whose x and y are lengths are drawn flat; see `grid`.
+        A section at one longitude or latitude, or a mean along these, is drawn by latitude or longitude and height; one row or column of a rotated or
+        curvilinear grid by the distance along it. With ``projection="map"`` the picture is a map, seen from above with north up. Data whose x and y are lengths are drawn flat; see `grid`.
 
         Parameters
         ----------

@@ -92,4 +92,5 @@ class DatasetSeries(Series):
 
     def _shape(self, found: pyvista.DataSet) -> None:
         if self._heights:
-            self.mesh.points = found.points
+            self.mesh.points[...] = found.points  # in place: what is drawn may share them
+            self.mesh.GetPoints().Modified()

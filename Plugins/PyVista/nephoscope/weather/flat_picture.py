@@ -14,6 +14,7 @@ from .bars import finish_bars, make_room
 from .exaggeration import say
 from .look import surface_look, with_share
 from .picture import BESIDE, refuse_volume, without_missing
+from .section_ground import LAND, ground_of, visible
 from .sections import unrolled
 from .view import PicturePlotter, set_view
 
@@ -37,7 +38,7 @@ def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | N
 
 def plotted_section(grid: pyvista.StructuredGrid, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str],
                     new_plotter: Callable[[], pyvista.Plotter], view: Any) -> pyvista.Plotter:
-    """A section of the globe, by latitude or longitude and height."""
+    """A section of the globe, by latitude, longitude or distance and height."""
     plotter = new_plotter()
     draw_section(plotter, *unrolled(grid, shape_of_section(plotter)), scalars, options, title)
     if view is not None:
@@ -54,7 +55,10 @@ def shape_of_section(plotter: pyvista.BasePlotter) -> float:
 
 def draw_section(plotter: pyvista.BasePlotter, sheet: pyvista.StructuredGrid, scales: dict[str, tuple[str, float]], scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
     """As `plotted_section`, into a plotter. `sheet` and `scales`: what `unrolled` returns."""
-    title = _draw_section(plotter, sheet, scalars, {"scalar_bar_args": BESIDE, **options}, "y", scales, title)
+    name = default_scalars(sheet)[1] if scalars is None else scalars
+    for part in ground_of(sheet):
+        plotter.add_mesh(part, color=LAND, lighting=False, reset_camera=False)
+    title = _draw_section(plotter, sheet, name, {"scalar_bar_args": BESIDE, **options}, "y", scales, title)
     finish_bars(plotter, title)
     make_room(plotter, as_high=False)
 
@@ -94,7 +98,7 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
     association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
     look = surface_look(plotter, grid, name, association, options, over_ground=False)
     title = with_share(title, grid, name, association, options, look)
-    plotter.add_mesh(grid, scalars=name, **{"nan_opacity": 0, "lighting": False, **look})
+    plotter.add_mesh(visible(grid, name), scalars=name, **{"nan_opacity": 0, "lighting": False, **look})
     plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
     _add_scales(plotter, grid, flat, scales)
     plotter.enable_parallel_projection()
@@ -130,7 +134,7 @@ def _add_scales(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, flat: str, 
         lines = [*zip(feet[:-1], ends[:-1]), (bounds[:, 0], [bounds[k, 1 if k == i else 0] for k in range(3)])]
         plotter.add_mesh(pyvista.line_segments_from_points(np.reshape(lines, (-1, 3))), color=plotter.theme.font.color, lighting=False, name=f"scale_{letter}", reset_camera=False)
         ends[-1] += (0.05 * spans.max()) * np.eye(3)[i] if letter == letters[1] else (-4 * gap) * np.eye(3)[j]
-        plotter.add_point_labels(ends, [*(f"{value:g}" for value in values), axis_title], show_points=False, shape=None, font_size=13, always_visible=True, margin=0,
+        plotter.add_point_labels(ends, [*(f"{value - 360 if axis_title == '°E' and value > 360 else value:g}" for value in values), axis_title], show_points=False, shape=None, font_size=13, always_visible=True, margin=0,
                                  text_color=plotter.theme.font.color, bold=False, justification_horizontal=where[0], justification_vertical=where[1], name=f"labels_{letter}", reset_camera=False)
 
 

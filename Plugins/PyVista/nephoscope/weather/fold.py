@@ -32,7 +32,7 @@ class Fold:
 def closed_fold(x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray | None, Fold | None]:
     """The row order that ends at the fold (None if it is the order of the file), and the fold (None if there is none)."""
     places = vectors(x, y)
-    if np.nanmax(np.linalg.norm(places[:, 0] - places[:, -1], axis=-1)) > 1e-4:
+    if x.shape[1] == 1 or np.nanmax(np.linalg.norm(places[:, 0] - places[:, -1], axis=-1)) > 1e-4:
         return None, None  # not a closed ring
     if (fold := find_fold(places)) is not None:
         return None, fold

@@ -143,6 +143,8 @@ def vectors(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
 def row_angles(lon: np.ndarray, lat: np.ndarray) -> np.ndarray:
     """The direction of the rows from point to point, by central differences on the sphere, for grids without a known projection."""
     places = _vectors(lon, lat).reshape(3, *lon.shape)
+    if lon.shape[1] == 1:  # a column alone: its rows are across it
+        return row_angles(lon.T, lat.T).T - np.pi / 2
     along = np.gradient(places, axis=2).reshape(3, -1)
     angles = np.arctan2((along * _northward(lon, lat)).sum(0), (along * _eastward(lon)).sum(0))
     return angles.reshape(lon.shape)

@@ -20,6 +20,6 @@ class SectionSeries(DatasetSeries):
         super().__init__(dataset, **options)
 
     def _read(self, step: int) -> pyvista.DataSet:
-        sheet, scales = unrolled(super()._read(step), self._ratio, self.scales["z"][1] if self.scales else None)
+        sheet, scales = unrolled(super()._read(step), self._ratio, self.scales or None)
         self.scales = self.scales or scales
         return sheet

@@ -1,19 +1,25 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sections of the globe, at one longitude or one latitude, and means along these: a picture of places and heights."""
+"""Sections of the globe, at one longitude or one latitude or along a line, and means along these: a picture of places and heights."""
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Dict, Tuple
 
 import numpy as np
 import pyvista
 
 from ..globe import EARTH_RADIUS
+from .sea import is_sea
+
+SHALLOW = 2000.0  # m: air that is lower has its heights in metres, as water has
+SAME = 0.01  # degrees: longitudes or latitudes that differ less are one
+Scales = Dict[str, Tuple[str, float]]  # of each axis the title, and the length of one unit in the scene
 
 
 def as_section(dataset: Any) -> Any:
-    """The dataset; if it has latitudes alone, or longitudes, with the other one as a dimension of one entry."""
+    """The dataset; if it has latitudes alone, or longitudes, with the other one as a dimension of one entry; see also `as_row`."""
     from .horizontal import is_latitude, is_longitude
+    from .section_rows import as_row
     kinds = [{str(name): variable for name, variable in dataset.variables.items() if fits(str(name), variable)} for fits in (is_longitude, is_latitude)]
     for here, other, name in ((kinds[1], kinds[0], "longitude"), (kinds[0], kinds[1], "latitude")):
         along = [one for one in here if here[one].dims == (one,)]
@@ -23,7 +29,7 @@ def as_section(dataset: Any) -> Any:
             return dataset.expand_dims(next(iter(other)))
         units = "degrees_east" if name == "longitude" else "degrees_north"
         return dataset.expand_dims({name: [0.0]}).assign_coords({name: (name, [0.0], {"units": units, "standard_name": name})})
-    return dataset
+    return as_row(dataset)
 
 
 def axis_of_section(grid: pyvista.DataSet) -> str | None:
@@ -34,24 +40,55 @@ def axis_of_section(grid: pyvista.DataSet) -> str | None:
     return "latitude" if longitudes == 1 else "longitude"
 
 
-def unrolled(grid: pyvista.StructuredGrid, shape: float, scale: float | None = None) -> tuple[pyvista.StructuredGrid, dict[str, tuple[str, float]]]:
-    """The section of a globe or a map in the plane y = 0, and the title and the length in the scene of one unit of x and z. `shape`: its height over its width there, unless `scale` is the length of 1 km."""
-    points = np.asarray(grid.points, float)
-    radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+def unrolled(grid: pyvista.StructuredGrid, shape: float, scales: Scales | None = None) -> tuple[pyvista.StructuredGrid, Scales]:
+    """The section of a globe or a map in the plane y = 0, and the title and the length in the scene of one unit of x and z. `shape`: its height over its width there, unless
+    `scales`, which this function has returned for another time, tell the unit and the length of heights."""
     stretch = float(np.ravel(grid.field_data.get("VerticalExaggeration", [1.0]))[0]) or 1.0
-    along = axis_of_section(grid)
-    if str(np.ravel(grid.field_data["GlobeGridProjection"])[0]).lower() in ("1", "1.0", "map"):
-        degrees, heights = np.degrees(points[:, 1 if along == "latitude" else 0] / radius), points[:, 2]
-    else:
-        radii = np.linalg.norm(points, axis=1)
-        angles = np.arcsin(np.clip(points[:, 2] / radii, -1, 1)) if along == "latitude" else np.arctan2(points[:, 1], points[:, 0])
-        degrees, heights = np.degrees(angles), radii - radius
-    if along == "longitude":
-        rows = np.radians(degrees.reshape(grid.dimensions[::-1])[:, 0, :])
-        degrees = np.ravel(np.degrees(np.unwrap(rows, axis=-1)))
-    heights = heights / (1000.0 * stretch)  # km
-    scale = scale or shape * (np.ptp(degrees) or 1.0) / (np.ptp(heights) or 1.0)
+    longitudes, latitudes, heights = _places(grid)
+    title, across = _along(longitudes[0], latitudes[0])
+    heights = heights / stretch
+    if scales is None:
+        unit = ("m", 1.0) if is_sea(grid) or np.nanmax(np.abs(heights)) < SHALLOW else ("km", 1000.0)
+        scales = {"x": (title, 1.0), "z": (unit[0], shape * (_extent(across) or 1.0) / (_extent(heights / unit[1]) or 1.0))}
+    unit, scale = scales["z"]
     sheet = grid.copy(deep=False)
-    sheet.points = np.column_stack((degrees, 0 * degrees, scale * heights))
-    sign = "°N" if along == "latitude" else "°E"
-    return sheet, {"x": (sign, 1.0), "z": ("km", scale)}
+    across = np.tile(across, len(heights))
+    sheet.points = np.column_stack((across, 0 * across, np.ravel(scale * heights / (1.0 if unit == "m" else 1000.0))))
+    return sheet, scales
+
+
+def _extent(values: np.ndarray) -> float:
+    return float(np.nanmax(values) - np.nanmin(values))
+
+
+def _places(grid: pyvista.StructuredGrid) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Longitudes and latitudes in degrees and exaggerated heights in metres, each in rows of one level."""
+    points = np.asarray(grid.points, float).reshape(grid.dimensions[2], -1, 3)
+    radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+    x, y, z = np.moveaxis(points, -1, 0)
+    if str(np.ravel(grid.field_data["GlobeGridProjection"])[0]).lower() in ("1", "1.0", "map"):
+        return np.degrees(x / radius), np.degrees(y / radius), z
+    radii = np.linalg.norm(points, axis=-1)
+    return np.degrees(np.unwrap(np.arctan2(y, x), axis=-1)), np.degrees(np.arcsin(np.clip(z / radii, -1, 1))), radii - radius
+
+
+def _along(longitude: np.ndarray, latitude: np.ndarray) -> tuple[str, np.ndarray]:
+    """The title of the axis along the section, and the places on it: latitudes or longitudes where the other one is the same everywhere, otherwise kilometres from one end."""
+    if _extent(longitude) < SAME:
+        return "°N", latitude
+    if _extent(latitude) < SAME:
+        return "°E", longitude
+    x, y = np.radians(longitude), np.radians(latitude)
+    places = np.column_stack((np.cos(y) * np.cos(x), np.cos(y) * np.sin(x), np.sin(y)))
+    steps = np.nan_to_num(2 * np.arcsin(0.5 * np.linalg.norm(np.diff(places, axis=0), axis=1)))
+    distance = np.append(0.0, np.cumsum(steps)) * EARTH_RADIUS / 1000
+    ends = [(longitude[0], latitude[0]), (longitude[-1], latitude[-1])]
+    east, north = (ends[1][0] - ends[0][0]) * np.cos(y.mean()), ends[1][1] - ends[0][1]
+    if (east if abs(east) >= abs(north) else north) < 0:  # the west on the left, or the south
+        ends, distance = ends[::-1], distance[-1] - distance
+    return f"km from {_told(*ends[0])} to {_told(*ends[1])}", distance
+
+
+def _told(longitude: float, latitude: float) -> str:
+    east = (longitude + 180) % 360 - 180
+    return f"{abs(latitude):.1f}°{'N' if latitude >= 0 else 'S'} {abs(east):.1f}°{'E' if east >= 0 else 'W'}"

@@ -7,6 +7,7 @@ import numpy as np
 
 from .extras import need
 from .horizontal import GridError
+from .section_rows import is_line
 
 NEAREST = 3  # whose distance is the spacing at a point
 FARTHEST = 6.0  # an edge, in spacings of its triangle; longer ones bridge a gap or go round a region
@@ -30,6 +31,8 @@ def _triangles(places: np.ndarray, dim: str) -> np.ndarray:
     found = _hull(points) if len(points) > 3 else np.empty((0, 3), int)
     found = found[_small(points, found)] if len(found) else found
     if not len(found):
+        if is_line(places):
+            raise GridError(f"The {len(points)} points of ({dim}) lie along a line, so the data are a section, which has no area to draw from outside. Draw it by distance and height: dataset.nephoscope.plot().")
         raise GridError(f"The {len(points)} points of ({dim}) are a list without cells, too few or too far from one another for triangles between them. Give the mesh file: "
                         "nephoscope.open(DATA, mesh=GRID).")
     return there[found]
