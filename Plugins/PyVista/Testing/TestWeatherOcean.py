@@ -47,6 +47,12 @@ def currents(u="u", v="v"):
     return data.drop_vars("temp").assign({u: (("s_rho", "eta_rho", "xi_u"), along, {"units": "meter second-1"}), v: (("s_rho", "eta_v", "xi_rho"), across, {"units": "meter second-1"})})
 
 
+def currents_of_roms():
+    """`currents` on dimensions of their own, as ROMS has them."""
+    data = currents()
+    return data.assign(u=(("s_rho", "eta_u", "xi_u"), data.u.values, data.u.attrs), v=(("s_rho", "eta_v", "xi_v"), data.v.values, data.v.attrs))
+
+
 class Currents(unittest.TestCase):
     """Fields on the faces of cells, of a file without any at the centres, are brought there."""
 
@@ -79,11 +85,31 @@ class Currents(unittest.TestCase):
             self.assertEqual(grid.n_points, 8 * 11 * 12)
             np.testing.assert_allclose(np.asarray(grid[name]).reshape(8, 11, 12)[3, 5, 1:-1], np.arange(12.0)[1:-1] if name == "u" else 5, rtol=1e-6)
 
-    def test_message_beside_fields_at_the_centres(self):
-        top = currents().isel(s_rho=-1)
-        top = top.assign(u=(("eta_u", "xi_u"), top.u.values))
-        with self.assertRaisesRegex(ValueError, r"^'u' is on .*Draw it alone: ds\[\['u'\]\]\.nephoscope\.plot\(\), or pass ds\[\['u'\]\] to animate\.$"):
-            top.assign({name: xr.zeros_like(top.h, float) for name in ("zeta", "ssh", "heat")}).nephoscope.plot("u", screenshot="none.png")
+    def test_dimensions_of_their_own(self):
+        self.check(currents_of_roms())
+        top = currents_of_roms().isel(s_rho=-1)
+        self.check(top, 1)
+        self.check(top.assign({name: xr.zeros_like(top.h, float) for name in ("zeta", "ssh", "heat")}), 1)
+
+    def test_fields_of_one_level_beside_currents(self):
+        """They are drawn as where they are alone, also by animate."""
+        data = currents_of_roms().reset_coords(["lon_rho", "lat_rho"])
+        data["zeta"] = data.zeta + 0.1 * np.sin(data.lon_rho)
+        fields = data[["zeta", "lon_rho", "lat_rho"]]
+        pictures = []
+        wide = {"lon": ("lon", np.linspace(-75, -71, 5), {"units": "degrees_east"}), "lat": ("lat", np.linspace(36, 39, 5), {"units": "degrees_north"})}
+        ice = xr.Dataset({"ice": (("lat", "lon"), np.outer(np.arange(5.0), np.arange(5.0)), {"units": "1"})}, wide)
+        for one, name in ((data, "zeta"), (fields, "zeta"), (data.merge(ice), "ice"), (ice, "ice")):  # the ice is on another grid
+            one.nephoscope.plot(name, screenshot=str(OUTPUT), window_size=(200, 200)).close()
+            pictures.append(pyvista.read(OUTPUT)["PNGImage"])
+        plotter = pyvista.Plotter(off_screen=True, window_size=(200, 200))
+        self.addCleanup(plotter.close)
+        folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+        nephoscope.animate(plotter, data, "zeta", filename=folder, progress=False, show_time=False).close()
+        pictures.append(pyvista.read(folder / "00000.png")["PNGImage"])
+        self.assertGreater(pictures[0].std(), 10)
+        for picture, other in ((0, 1), (0, 4), (2, 3)):
+            self.assertLess(np.abs(pictures[picture].astype(float) - pictures[other]).mean(), 0.5)
 
     def test_places_in_the_file_of_the_grid(self):
         folder, data = Path(self.enterContext(tempfile.TemporaryDirectory())), currents()

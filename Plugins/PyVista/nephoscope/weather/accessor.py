@@ -300,14 +300,21 @@ class WeatherAccessor:
         return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view)
 
     def _of_one_level(self, scalars: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any]) -> xarray.Dataset | None:
-        """The dataset without levels, where a field without them is wanted of one that has others with levels; otherwise None."""
+        """The dataset without levels, and without fields on other grids, where a field without them is wanted that is beside others; otherwise None."""
+        from .horizontal import is_latitude, is_longitude
         if scalars not in self._dataset.data_vars or "vertical" in options:
             return None
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # who reads the field will tell
             reading = self._understood(0 if time is None else time, None, _options(options)[0])[0]
-        grid = set(reading.horizontal.dims)
-        return self._dataset.drop_dims(reading.vertical.dim) if reading.vertical is not None and scalars in reading.dataset.data_vars and set(reading.dataset[scalars].dims) == grid else None
+        field = reading.dataset.data_vars.get(scalars)
+        if field is None or field.ndim < len(reading.horizontal.dims) or reading.vertical is not None and reading.vertical.dim in field.dims or scalars in dict(reading.field_variables()):
+            return None
+        level = self._dataset if reading.vertical is None else self._dataset.drop_dims(reading.vertical.dim)
+        if set(field.dims) == set(reading.horizontal.dims):
+            return level
+        own = set(self._dataset[scalars].dims)
+        return level.drop_vars([name for name, variable in level.data_vars.items() if variable.ndim and not set(variable.dims) <= own and not is_longitude(str(name), variable) and not is_latitude(str(name), variable)])
 
     def _exaggeration(self, options: dict[str, Any]) -> float:
         """What suits a picture of the first step."""

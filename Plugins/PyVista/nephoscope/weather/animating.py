@@ -129,6 +129,8 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
     found = opened(dataset)
     section = as_section(found)
     if isinstance(draw, str):
+        if not section.nephoscope._is_flat(options) and (level := section.nephoscope._of_one_level(draw, 0, options)) is not None:
+            section = level
         draw, options = section.nephoscope._of_field(draw, 0, options)
     if whole and "vertical_exaggeration" not in options:
         options = {"vertical_exaggeration": section.nephoscope._exaggeration(options), **options}

@@ -16,7 +16,7 @@ from .helpers import helpers
 from .land import SEA_MASKS, zeros_of_land
 from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
-from .stagger import centres_of, is_staggered, to_centres
+from .stagger import centres_of, is_staggered, shares_axes, to_centres
 from .times import choose_time, is_member, time_dims
 from .units import UnitsError, converted, in_fractions, knows, plain, without_fill_values
 from .vertical import VerticalError, find_lengths, find_vertical, level_values, pressure_of_level
@@ -162,7 +162,7 @@ class Reading:
         if self.vertical is None:
             rest = [dim for dim in variable.dims if dim not in self.horizontal.dims]
             return set(self.horizontal.dims) <= set(variable.dims) or (
-                variable.ndim == len(self.horizontal.dims) > len(rest) and all(is_staggered(dim) and self._staggers(dim, variable.dims) for dim in rest))
+                variable.ndim == len(self.horizontal.dims) and shares_axes(variable.dims, self.horizontal.dims) and all(is_staggered(dim) and self._staggers(dim, variable.dims) for dim in rest))
         rest = [dim for dim in variable.dims if dim not in self.horizontal.dims and dim != self.vertical.dim]
         return variable.ndim == 1 + len(self.horizontal.dims) and len(rest) < variable.ndim and all(
             self._staggers(dim, variable.dims) for dim in rest) and (self.vertical.dim in variable.dims or any(self._near(dim, self.vertical.dim) for dim in rest))

@@ -24,14 +24,24 @@ def centres_of(dataset, shapes) -> str | None:
     """
     grids = [{variable.dims[-2:]: str(name) for name, variable in dataset.variables.items() if fits(str(name), variable) and variable.ndim >= 2} for fits in (is_longitude, is_latitude)]
     sizes = dataset.sizes
-    found = [dims for dims in grids[0] if dims in grids[1] and dims not in shapes and all(len(shape) == 2 and set(shape) & set(dims) and _on_faces(sizes, shape, dims) for shape in shapes)]
+    found = [dims for dims in grids[0] if dims in grids[1] and dims not in shapes and all(len(shape) == 2 and shares_axes(shape, dims) and _on_faces(sizes, shape, dims) for shape in shapes)]
     if len(shapes) < 2 and any(shape in grids[0] for shape in shapes):
         return None
     return grids[0][max(found, key=lambda dims: sizes[dims[0]] * sizes[dims[1]])] if found else None
 
 
+def shares_axes(shape, dims) -> bool:
+    """Whether some dimensions are the same, or all have the same names but for their places, as ROMS' (eta_u, xi_u) and (eta_rho, xi_rho)."""
+    return bool(set(shape) & set(dims)) or all(map(_same_axis, shape, dims))
+
+
+def _same_axis(a, b) -> bool:
+    stems = [str(dim).rpartition("_")[0] for dim in (a, b)]
+    return stems[0] == stems[1] != ""
+
+
 def _on_faces(sizes, shape, dims) -> bool:
-    return any(map(is_staggered, shape)) and all(a == b or abs(sizes[a] - sizes[b]) == 1 for a, b in zip(shape, dims))
+    return any(map(is_staggered, shape)) and all(a == b or abs(sizes[a] - sizes[b]) <= _same_axis(a, b) or abs(sizes[a] - sizes[b]) == 1 for a, b in zip(shape, dims))
 
 
 def to_centres(dataset, array, wanted: list[str]):
