@@ -99,6 +99,41 @@ class Framing(unittest.TestCase):
         dataset = region(*GLOBE["hills"][0]).isel(level=0)
         self.check_filled(*self.plotted(dataset), 1 / 3)
 
+    def test_regions_in_a_plotter(self):
+        """Regions added by add_cells and add_splats are seen from above, with north up, whatever is added before or after; a camera that is set stays, and so does PyVista's for a whole globe."""
+        mesh = region(*GLOBE["country"][0]).nephoscope.globe(vertical_exaggeration=10)
+        whole = region(*GLOBE["troposphere"][0]).nephoscope.globe()
+        mine = [(3e7, 1e6, 2e6), (0, 0, 0), (0, 0, 1)]
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            with self.subTest(add.__name__):
+                seen = []
+                for before, data, after in ((None, mesh, None), (nephoscope.globe_surface(), mesh, None), (None, mesh, nephoscope.globe_surface()), (None, whole, None), (mine, mesh, None)):
+                    plotter = pyvista.Plotter(off_screen=True, window_size=(SIZE, SIZE))
+                    self.addCleanup(plotter.close)
+                    if isinstance(before, list):
+                        plotter.camera_position = before
+                    elif before is not None:
+                        plotter.add_mesh(before)
+                    add(plotter, data)
+                    if after is not None:
+                        plotter.add_mesh(after)
+                    plotter.show(auto_close=False)
+                    seen.append(np.array([*plotter.camera_position]))
+                np.testing.assert_allclose(seen[1:3], [seen[0]] * 2, rtol=1e-6)
+                position, focus, _ = seen[0]
+                towards = mesh.points.mean(axis=0) / np.linalg.norm(mesh.points.mean(axis=0))
+                self.assertGreater((position - focus) @ towards, 0.999 * np.linalg.norm(position - focus))
+                self.assertGreater(np.linalg.norm(position), 6.4e6)
+                np.testing.assert_allclose(seen[4], mine, rtol=1e-6)
+                np.testing.assert_allclose(np.diff(np.abs(seen[3][0] - seen[3][1])), 0, atol=1e3)  # from (1, 1, 1)
+                plotter = pyvista.Plotter(off_screen=True, window_size=(SIZE, SIZE))
+                self.addCleanup(plotter.close)
+                add(plotter, mesh)
+                plotter.show(auto_close=False)
+                self.check_filled(plotter, mesh, 1 / 3)
+                low, high = places(plotter, mesh.points[mesh["Height"] < 1][[0, -1]])
+                self.assertTrue((low < high).all())  # from the south-west to the north-east
+
 
 if __name__ == "__main__":
     unittest.main()

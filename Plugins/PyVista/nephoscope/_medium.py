@@ -457,6 +457,9 @@ def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista
         volume.user_matrix = user_matrix
     _warn_of_camouflage(plotter, mapper.lookup_table)
     plotter.add_actor(volume, **actor_options)
+    if actor_options.get("reset_camera") is None and user_matrix is None and not plotter.renderer.camera.is_set:
+        from .weather.view import look_at_region
+        look_at_region(plotter, mapper.dataset)
     warn_when_exported(plotter)
     plotter.mapper = mapper  # as in add_volume: later calls without a mapper refer to the last one added
     if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:

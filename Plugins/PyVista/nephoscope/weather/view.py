@@ -15,6 +15,7 @@ from ..globe import EARTH_RADIUS
 
 AMERICA = np.array([0.3, -1.0, 0.35])  # of fields all round the globe
 WIDE, HIGH = 0.8, 0.92  # of the picture, for a region beside the scalar bar
+ABOVE_BAR = (0.85, 0.7)  # the same, above PyVista's scalar bar
 ASIDE = (40.0, 20.0)  # degrees of the camera above the horizon, at least, and from the south to the east, for water
 CONCENTRATED = 0.75  # length of the mean direction of a field on one side of the globe; that of one that increases evenly from pole to pole is 2/3
 
@@ -107,20 +108,36 @@ def _from_aside(vertical: np.ndarray, north: np.ndarray, points: np.ndarray) -> 
     return np.sin(height) * vertical + np.cos(height) * (np.sin(turn) * east - np.cos(turn) * np.cross(vertical, east))
 
 
-def _look_at_part(plotter: pyvista.BasePlotter, points: np.ndarray, middle: np.ndarray, aside: bool) -> None:
-    """Places the camera above the middle of the data of a region, or at their side, so that they fill the picture beside the scalar bar."""
+def look_at_region(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> None:
+    """Places the camera straight above the data of a region of a globe, with north up and room for a scalar bar below; those all round the globe, on a map or elsewhere stay as they are seen.
+    PyVista looks at everything from the direction (1, 1, 1), which is from inside the Earth in most regions."""
+    if str(np.ravel(grid.field_data.get("GlobeGridProjection", ["map"]))[0]).lower() in ("1", "1.0", "map"):
+        return
+    points = np.asarray(grid.points)[:: max(1, grid.n_points // 5000)]
+    points = points[np.isfinite(points).all(axis=1)]
+    if len(points) and _is_part(points, middle := points.mean(axis=0)):
+        _look_at_part(plotter, points, middle, False, *ABOVE_BAR)
+        plotter.renderer.camera.is_set = True
+
+
+def _is_part(points: np.ndarray, middle: np.ndarray) -> bool:
+    """Whether the points, with this mean, are a region of a globe."""
+    return bool(np.linalg.norm(middle) > 0.6 * EARTH_RADIUS and np.ptp(points, axis=0).max() < 1.2 * EARTH_RADIUS)
+
+
+def _look_at_part(plotter: pyvista.BasePlotter, points: np.ndarray, middle: np.ndarray, aside: bool, wide: float = WIDE, high: float = HIGH) -> None:
+    """Places the camera above the middle of the data of a region, or at their side, so that they fill these shares of the picture."""
     towards = middle / np.linalg.norm(middle)
     north = np.array((0, 0, 1) if abs(towards[2]) < 0.95 else (1, 0, 0), float)
     towards, north = (_from_aside(towards, north, points), towards) if aside else (towards, north)
     east = np.cross(north, towards) / np.linalg.norm(np.cross(north, towards))
     upward = np.cross(towards, east)
     half = np.tan(np.radians(0.5 * plotter.camera.view_angle))
-    sideways, distance = _fitted((points - middle) @ east, (points - middle) @ towards, WIDE * half)
-    upwards, other = _fitted((points - middle) @ upward, (points - middle) @ towards, HIGH * half)
+    sideways, distance = _fitted((points - middle) @ east, (points - middle) @ towards, wide * half)
+    upwards, other = _fitted((points - middle) @ upward, (points - middle) @ towards, high * half)
     plotter.camera.focal_point = middle + sideways * east + upwards * upward
     plotter.camera.position = plotter.camera.focal_point + max(distance, other) * towards
     plotter.camera.up = north
-    plotter.camera.SetWindowCenter(0.13, 0)  # room for the scalar bar
     plotter.reset_camera_clipping_range()
 
 
@@ -132,10 +149,11 @@ def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.nd
     if np.linalg.norm(middle) < 0.2 * EARTH_RADIUS:  # all round the globe
         side = side_of(grid, name) if name is not None else None
         middle = (AMERICA if side is None else side / np.linalg.norm(side)) * EARTH_RADIUS
-    part = np.linalg.norm(middle) > 0.6 * EARTH_RADIUS and np.ptp(points, axis=0).max() < 1.2 * EARTH_RADIUS
+    part = _is_part(points, middle)
     centre = middle if part else np.zeros(3)
     if part and view is None:
         _look_at_part(plotter, points, middle, aside)
+        plotter.camera.SetWindowCenter(0.13, 0)  # room for the scalar bar
         return
     size = np.linalg.norm(points - centre, axis=1).max()
     upward = middle / np.linalg.norm(middle)
