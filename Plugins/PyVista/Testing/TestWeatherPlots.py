@@ -141,7 +141,7 @@ class Plots(unittest.TestCase):
         dataset = forecast()
         dataset["ta"].attrs["long_name"] = "Temperature of the air"
         dataset["cl"].attrs["long_name"] = "derived by a formula that is described here at length"
-        for name, options, text in (("ta", {}, "Temperature of\nthe air\n[K]"), ("ta", {"projection": "map"}, "Temperature of the air [K]\n "), ("cl", {}, "cl"), ("potential_temperature", {}, "Potential\ntemperature\n[K]")):
+        for name, options, text in (("ta", {}, "Temperature of\nthe air\n[K]\nlowest level"), ("ta", {"projection": "map"}, "Temperature of the air [K], lowest level\n "), ("cl", {}, "cl"), ("potential_temperature", {}, "Potential\ntemperature\n[K]\nlowest level")):
             with self.subTest(name, **options):
                 plotter, _ = self.plotted(dataset, name, 800, clim=(200, 300), **options)
                 (key, bar), = plotter.scalar_bars.items()
@@ -246,6 +246,24 @@ class Plots(unittest.TestCase):
         np.testing.assert_array_equal(beside, alone)
         _, with_levels = self.plotted(both, "ta")
         self.assertGreater(abs(with_levels - beside).max(), 50)
+
+    def test_temperature_is_drawn_at_the_ground(self):
+        """In the lowest point of each column that is above it; as a volume where one is asked for, and other fields always."""
+        lon, lat, pressures = np.linspace(0, 30, 7), np.linspace(10, 40, 6), np.array([100000.0, 85000, 50000])
+        data = isothermal(lon, lat, pressures)
+        mountain = np.broadcast_to(np.where(lon > 12, 2000.0, 0.0), (6, 7))
+        data = data.assign(ta=data.ta.copy(data=np.broadcast_to(250 + np.arange(3.0)[:, None, None], data.ta.shape)).assign_attrs(data.ta.attrs), ps=data.ps.copy(data=np.where(mountain > 0, 80000.0, 102000.0)).assign_attrs(data.ps.attrs))
+        for options in ({}, {"projection": "map"}):
+            plotter, _ = self.plotted(data, "ta", **options)
+            sheet = next(actor.mapper.dataset for actor in plotter.renderer.actors.values() if "ta" in getattr(getattr(actor.mapper, "dataset", None), "array_names", ()))
+            np.testing.assert_array_equal(np.asarray(sheet["ta"]).reshape(6, 7), np.where(mountain > 0, 252, 250))
+            heights = sheet.points[:, 2] if options else np.linalg.norm(sheet.points, axis=1) - 6371000
+            np.testing.assert_allclose(heights, 0, atol=1)
+            (bar,) = plotter.scalar_bars.values()
+            self.assertIn("lowest level", bar.GetTitle())
+        for name, options in (("ta", {"opacity": "linear"}), ("ta", {"contours": [251]}), ("ps3", {})):
+            plotter, _ = self.plotted(data.assign(ps3=data.ta.assign_attrs(standard_name="air_pressure_anomaly", units="1")), name, **options)
+            self.assertEqual(plotter.renderer.GetVolumes().GetNumberOfItems(), 1)
 
     def test_warnings_name_the_line_of_the_user(self):
         times = xr.concat([forecast(), forecast()], "time").assign_coords(time=np.array(["2020-01-01", "2020-01-02"], "M8[ns]"))

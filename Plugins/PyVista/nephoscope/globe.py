@@ -40,6 +40,11 @@ _TOLD = {GAPS_ARE_TOLD: "values of the height array", IS_SEA: "which is implausi
 DEGREES_PER_CELL = 1.0    # of globe_surface; its chords are at most 0.25 km below the Earth's sphere
 
 
+def is_map(mesh: pyvista.DataSet) -> bool:
+    """Whether the mesh lies on a map; False for one on a globe or elsewhere."""
+    return str(np.ravel(mesh.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() in ("1", "1.0", "map")
+
+
 def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
              vertical_exaggeration: float = 1.0, height: str | Literal[False] | None = None,
              wind: Sequence[str] | Literal[False] | None = None, vertical_wind_is_omega: bool | None = None,

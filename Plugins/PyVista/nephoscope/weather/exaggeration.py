@@ -9,7 +9,7 @@ from typing import Any, Callable
 import numpy as np
 import pyvista
 
-from ..globe import EARTH_RADIUS
+from ..globe import EARTH_RADIUS, is_map
 from .sea import is_sea
 
 USUAL = 30.0  # on a globe or a map; data whose x and y are lengths have 1
@@ -53,7 +53,7 @@ def _radius(grid: pyvista.DataSet) -> float:
 def _measured(grid: pyvista.DataSet, points: np.ndarray) -> tuple[float, float]:
     """Width, at most the radius of the planet, and height above the sea or below it."""
     radius = _radius(grid)
-    if str(np.ravel(grid.field_data["GlobeGridProjection"])[0]).lower() in ("1", "1.0", "map"):
+    if is_map(grid):
         return min(radius, float(np.ptp(points[:, :2], axis=0).max())), float(np.abs(points[:, 2]).max())
     radii = np.linalg.norm(points, axis=1)
     return min(radius, radius * float(np.ptp(points / radii[:, None], axis=0).max())), float(np.abs(radii - radius).max())

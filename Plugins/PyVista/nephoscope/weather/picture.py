@@ -12,10 +12,11 @@ from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .._over_time import follows
 from ..cells import add_cells
-from ..globe import EARTH_RADIUS, globe_surface
+from ..globe import EARTH_RADIUS, globe_surface, is_map
 from .bars import finish_bars, make_room
 from .horizontal import GridError, section
 from .look import surface_look, with_share
+from .lowest import fills_the_air, lowest_level
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .sea import is_sea, look_of_water
 from .view import PicturePlotter, is_place, look_down, picture_theme, set_view
@@ -87,14 +88,17 @@ def darken(plotter: pyvista.BasePlotter) -> None:
 
 def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str], view: Any = None) -> None:
     """The field, the Earth below it, the scalar bar and the view."""
-    on_globe = str(np.ravel(grid.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() not in ("1", "1.0", "map")
+    on_globe = not is_map(grid)
+    name = default_scalars(grid)[1] if scalars is None else scalars
+    if cell_dimension(grid) == 3 and not is_sea(grid) and fills_the_air(grid, name, options, VOLUME):
+        grid, of_volume = lowest_level(grid, name), title
+        title = lambda array: f"{of_volume(array)}\nlowest level"  # noqa: E731
     flat = cell_dimension(grid) < 3
     sea = not flat and is_sea(grid)
     (_add_globe if on_globe else _add_map)(plotter, grid, flat, sea)
     options = {"scalar_bar_args": BESIDE if on_globe else BELOW, **options}
     if flat:  # one level
         refuse_volume(options)
-        name = default_scalars(grid)[1] if scalars is None else scalars
         association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
         sheet = _present(grid, name, association)
         look = surface_look(plotter, grid, name, association, options)
@@ -103,13 +107,13 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         plotter.add_mesh(sheet, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, "culling": culling, **look})
     else:
         if sea:
-            name, asked = default_scalars(grid)[1] if scalars is None else scalars, options
+            asked = options
             options = look_of_water(grid, name, options, VOLUME)
             title = with_share(title, grid, name, association_of(grid, name, "point", "scalars"), asked, options)
         add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
     finish_bars(plotter, title)
     if on_globe and (view is None or is_place(view)):
-        look_down(plotter, grid, _finite(grid), None if "sun" in options else default_scalars(grid)[1] if scalars is None else scalars, view, sea)
+        look_down(plotter, grid, _finite(grid), None if "sun" in options else name, view, sea)
     elif view is None:
         _look_at_map(plotter, grid)
     else:

@@ -8,7 +8,7 @@ from typing import Any, Dict, Tuple
 import numpy as np
 import pyvista
 
-from ..globe import EARTH_RADIUS
+from ..globe import EARTH_RADIUS, is_map
 from .sea import is_sea
 
 SHALLOW = 2000.0  # m: air that is lower has its heights in metres, as water has
@@ -66,7 +66,7 @@ def _places(grid: pyvista.StructuredGrid) -> tuple[np.ndarray, np.ndarray, np.nd
     points = np.asarray(grid.points, float).reshape(grid.dimensions[2], -1, 3)
     radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
     x, y, z = np.moveaxis(points, -1, 0)
-    if str(np.ravel(grid.field_data["GlobeGridProjection"])[0]).lower() in ("1", "1.0", "map"):
+    if is_map(grid):
         return np.degrees(x / radius), np.degrees(y / radius), z
     radii = np.linalg.norm(points, axis=-1)
     return np.degrees(np.unwrap(np.arctan2(y, x), axis=-1)), np.degrees(np.arcsin(np.clip(z / radii, -1, 1))), radii - radius

@@ -11,7 +11,7 @@ import pyvista
 from .._checks import require_number
 from .._fields import preset_of_field
 from .._medium import readable
-from ..globe import EARTH_RADIUS
+from ..globe import EARTH_RADIUS, is_map
 
 AMERICA = np.array([0.3, -1.0, 0.35])  # of fields all round the globe
 WIDE, HIGH = 0.8, 0.92  # of the picture, for a region beside the scalar bar
@@ -111,7 +111,7 @@ def _from_aside(vertical: np.ndarray, north: np.ndarray, points: np.ndarray) -> 
 def look_at_region(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> None:
     """Places the camera straight above the data of a region of a globe, with north up and room for a scalar bar below; those all round the globe, on a map or elsewhere stay as they are seen.
     PyVista looks at everything from the direction (1, 1, 1), which is from inside the Earth in most regions."""
-    if str(np.ravel(grid.field_data.get("GlobeGridProjection", ["map"]))[0]).lower() in ("1", "1.0", "map"):
+    if "GlobeGridProjection" not in grid.field_data or is_map(grid):
         return
     points = np.asarray(grid.points)[:: max(1, grid.n_points // 5000)]
     points = points[np.isfinite(points).all(axis=1)]

@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fields that fill all of the air, such as the temperature: as a volume they are a haze in which nothing is seen, so that a first picture shows them at the ground."""
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pyvista
+
+from .._fields import preset_of_field
+from .._over_time import follows
+from ..globe import EARTH_RADIUS, is_map
+from .prisms import HIDDEN_POINT
+
+FILLING = ("temperature",)  # presets of such fields
+
+
+def fills_the_air(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...]) -> bool:
+    """Whether a picture of the point array `name` is better one of its lowest level, unless one of the `options` is `of_volumes` or the opacity. A film keeps its mesh."""
+    preset = preset_of_field(name, grid)
+    return (isinstance(grid, pyvista.StructuredGrid) and name in grid.point_data and preset is not None and preset.name in FILLING and not follows(grid)
+            and not any(option in options for option in ("opacity", *of_volumes)))
+
+
+def lowest_level(grid: pyvista.StructuredGrid, name: str) -> pyvista.StructuredGrid:
+    """The values of the point array `name` in the lowest point of each column that is above the ground and has one, at the height 0 of the globe or the map."""
+    columns, rows, levels = grid.dimensions
+    values = np.asarray(grid.point_data[name]).reshape(levels, -1)
+    hidden = np.asarray(grid.point_data.get("vtkGhostType", np.zeros(grid.n_points, np.uint8))).reshape(levels, -1) & HIDDEN_POINT > 0
+    there = np.isfinite(values) & ~hidden
+    first = np.argmax(there, axis=0)
+    sheet = pyvista.StructuredGrid()
+    sheet.points = _on_the_ground(grid, np.asarray(grid.points, float).reshape(levels, -1, 3)[first, np.arange(columns * rows)])
+    sheet.dimensions = (columns, rows, 1)
+    sheet.point_data[name] = np.where(there.any(axis=0), values[first, np.arange(columns * rows)], np.nan)
+    sheet.GetFieldData().ShallowCopy(grid.GetFieldData())
+    return sheet
+
+
+def _on_the_ground(grid: pyvista.DataSet, points: np.ndarray) -> np.ndarray:
+    if is_map(grid):
+        return points * (1, 1, 0)
+    radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+    return points * radius / np.linalg.norm(points, axis=1)[:, None]
