@@ -12,7 +12,7 @@ import numpy as np
 import pyvista
 import xarray as xr
 from nephoscope.weather.flat import is_flat
-from nephoscope.weather.flat_picture import ticks
+from nephoscope.weather.scales import ticks
 from nephoscope.weather.horizontal import GridError
 from weather_data import isothermal
 

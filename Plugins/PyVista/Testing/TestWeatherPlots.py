@@ -25,20 +25,20 @@ def forecast():
 
 
 class Plots(unittest.TestCase):
-    def plotted(self, dataset, name, size=200, **options):
-        """The plotter and its picture, which is small unless a test looks for places in it or for the layout of text, which has the size of a real one."""
+    def plotted(self, dataset, name, **options):
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder, "picture.png")
-            plotter = dataset.nephoscope.plot(name, screenshot=str(path), window_size=(size, size), **options)
+            plotter = dataset.nephoscope.plot(name, screenshot=str(path), **{"window_size": (800, 800), **options})
             self.addCleanup(plotter.close)
-            picture = pyvista.read(path)["PNGImage"].reshape(size, size, -1)[..., :3].astype(float)
+            picture = pyvista.read(path)["PNGImage"].reshape(800, 800, -1)[..., :3].astype(float)
         return plotter, picture
 
     def sizes(self, plotter):
         return sorted(actor.GetLength() for actor in plotter.renderer.actors.values() if hasattr(actor, "GetLength") and actor.GetLength())
 
     def shown(self, plotter, points):
-        """Pixels from the lower left of points of the scene."""
+        """Pixels from the lower left of points of the scene, or of a map before degrees of longitude are shortened."""
+        points = points * np.array(next(iter(plotter.renderer.actors.values())).GetScale())
         matrix = pyvista.array_from_vtkmatrix(plotter.camera.GetCompositeProjectionTransformMatrix(1, -1, 1))
         seen = np.column_stack([points, np.ones(len(points))]) @ matrix.T
         return 400 + 400 * seen[:, :2] / seen[:, 3:]
@@ -74,7 +74,7 @@ class Plots(unittest.TestCase):
             latitudes = np.arange(-80, 81, 10.0) if len(longitudes) > 10 else LAT
             first = isothermal(longitudes, latitudes)
             dataset = first.assign(cl=(first.ta.dims, 0 * first.ta.values, {"units": "1"}))  # clear
-            plotter, picture = self.plotted(dataset, "cl", 800, projection="map")
+            plotter, picture = self.plotted(dataset, "cl", projection="map")
             for longitude, latitude, is_land in ((20, 25, True), (17.5, 34.5, False), (10, 50, True), (25, 45, True), (32, 43, False)):
                 with self.subTest(first=longitudes[0], longitude=longitude, latitude=latitude):
                     (x, y), = self.shown(plotter, np.radians([[longitude, latitude, 0]]) * 6371000)
@@ -85,11 +85,28 @@ class Plots(unittest.TestCase):
             corners = self.shown(plotter, plotter.renderer.actors[next(iter(plotter.renderer.actors))].GetMapper().GetInput().points)
             self.assertGreater(corners[:, 1].min(), top)
             self.assertTrue((corners > 0).all() and (corners < 800).all())
-            self.assertGreater(np.ptp(corners[:, 0]), 700 if len(longitudes) > 10 else 590)
+            across, up = np.ptp(corners[:, :2], axis=0) / 800
+            self.assertAlmostEqual(max(across / (1 - 0.16), up / (1 - 0.26)), 1, 2)  # it fills the picture beside its labels
+            degrees = [size / np.ptp(values) for size, values in zip((across, up), ([0, 360], [-90, 90]) if len(longitudes) > 10 else (longitudes, latitudes))]
+            self.assertAlmostEqual(degrees[0] / degrees[1], np.cos(np.radians(0.5 * (latitudes[0] + latitudes[-1]))), 2)
+            for letter, expected in (("x", {"20°E"} if len(longitudes) < 10 else {"0°", "90°W"}), ("y", {"40°N"} if len(longitudes) < 10 else {"0°", "30°S"})):
+                source = plotter.renderer.actors[f"labels_{letter}-labels"].GetMapper().GetInputAlgorithm()
+                source.Update()
+                labels = source.GetInputDataObject(0, 0).GetPointData().GetAbstractArray("labels")
+                self.assertLessEqual(expected, {labels.GetValue(i) for i in range(labels.GetNumberOfValues())})
+
+    def test_a_wide_map_has_a_low_window(self):
+        level = isothermal(np.arange(0, 360, 10.0), np.arange(-90, 91, 10.0)).isel(plev=1)
+        plotter = level.nephoscope.plot("ta", projection="map", screenshot=str(Path(self.enterContext(tempfile.TemporaryDirectory()), "a.png")))
+        self.addCleanup(plotter.close)
+        across, high = plotter.window_size
+        self.assertEqual((across, high), (800, int(800 * 0.5 * 0.84 / 0.74)))
+        plotter, _ = self.plotted(level, "ta", projection="map")
+        self.assertEqual(tuple(plotter.window_size), (800, 800))
 
     def test_a_field_on_a_map_has_coasts(self):
         first = isothermal(np.arange(0, 360, 10.0), np.arange(-80, 81, 10.0))
-        plotter, picture = self.plotted(first.isel(plev=1), "ta", 800, projection="map")
+        plotter, picture = self.plotted(first.isel(plev=1), "ta", projection="map")
         coasts = np.asarray(plotter.renderer.actors["coasts"].GetMapper().GetInput().points)
         degrees = np.degrees(coasts / 6371000)
         self.assertLess(np.hypot(*(degrees[:, :2] - (77.5, 8.1)).T).min(), 0.6)  # Cape Comorin
@@ -110,7 +127,7 @@ class Plots(unittest.TestCase):
     def test_without_the_picture_of_the_earth(self):
         with self.no_picture_of_the_earth():
             plotter, _ = self.plotted(forecast().isel(plev=1), "ta", projection="map")
-        self.assertEqual(len(plotter.renderer.actors) - len(plotter.scalar_bars), 2)  # ground and field
+        self.assertEqual(sum(isinstance(actor, pyvista.Actor) and not name.startswith(("scale_", "labels_")) for name, actor in plotter.renderer.actors.items()), 2)  # ground and field
 
     def test_one_level_is_a_coloured_surface(self):
         level = forecast().isel({forecast().ta.dims[0]: 1})
@@ -123,7 +140,7 @@ class Plots(unittest.TestCase):
         level = isothermal(np.arange(0, 360, 20.0), np.arange(-80, 81, 20.0)).isel(plev=0)
         level = level[["ta"]].assign(ta=level.ta + 40 * np.sin(np.radians(level.lat)))
         with self.no_picture_of_the_earth():  # it has one colour
-            plotter, picture = self.plotted(level, None, 800)
+            plotter, picture = self.plotted(level, None)
         inside = picture[300:500, 300:500].reshape(-1, 3)
         ground = np.array([0x3d, 0x5a, 0x73]) * 1.0
         self.assertGreater(np.ptp(inside, axis=0).max(), 60)  # colours of a field
@@ -143,7 +160,7 @@ class Plots(unittest.TestCase):
         dataset["cl"].attrs["long_name"] = "derived by a formula that is described here at length"
         for name, options, text in (("ta", {}, "Temperature of\nthe air\n[K]\nlowest level"), ("ta", {"projection": "map"}, "Temperature of the air [K], lowest level\n "), ("cl", {}, "cl"), ("potential_temperature", {}, "Potential\ntemperature\n[K]\nlowest level")):
             with self.subTest(name, **options):
-                plotter, _ = self.plotted(dataset, name, 800, clim=(200, 300), **options)
+                plotter, _ = self.plotted(dataset, name, clim=(200, 300), **options)
                 (key, bar), = plotter.scalar_bars.items()
                 self.assertEqual((key, bar.GetTitle()), (name, text))
                 self.assertEqual(bar.GetLookupTable().GetTableRange(), (200, 300))
@@ -191,7 +208,7 @@ class Plots(unittest.TestCase):
         cloudy["wet"] = cloudy.ta.dims, np.full(cloudy.ta.shape, 1e-4), {"units": "kg kg-1", "standard_name": "mass_fraction_of_cloud_liquid_water_in_air"}
         for direction, brighter in (((1, 0, 0), 1), ((-1, 0, 0), -1)):
             _, picture = self.plotted(cloudy, None, sun=direction)
-            left, right = (1 + half.mean() for half in np.split(picture[38:162], 2, axis=1))
+            left, right = (1 + half.mean() for half in np.split(picture[150:650], 2, axis=1))
             self.assertGreater((right / left) ** brighter, 2)
         for options in ({"sun": True}, {"sun": True, "projection": "map"}, {"sun": "2020-06-21 12:00", "projection": "map"}):
             with self.subTest(options):

@@ -233,7 +233,7 @@ class WeatherAccessor:
         return terrain_surface(ground_mesh(reading, air), "orog", **rest)
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float | None = None,
-             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] = (800, 800), view: Any = None,
+             opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] | None = None, view: Any = None,
              background: Any = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
@@ -255,8 +255,8 @@ class WeatherAccessor:
         opacity, cmap, clim : optional
             As in `nephoscope.add_cells`. Water below the sea level is opaque by default, unless the field is zero almost everywhere.
             Temperatures of the air are drawn in the lowest level above the ground, unless ``opacity`` or another option of volumes is given.
-        window_size : sequence of 2 int, default: (800, 800)
-            Width and height of the picture in pixels.
+        window_size : sequence of 2 int, optional
+            Width and height of the picture in pixels. Default: (800, 800), and less high for a map that is wider than high.
         view : sequence of 2 float, str or sequence, optional
             What the camera looks at. On a globe the longitude and latitude (degrees) that are seen from straight above, ``view=(100, 30)``. Everywhere a camera position of PyVista:
             ``"xy"``, or position, focal point and upward direction. Default: the middle of the data; of data all round the globe the side on which the field has most, if there is one. Regions of an ocean are seen
@@ -279,7 +279,7 @@ class WeatherAccessor:
         from .picture import plotted
         from .sections import as_section, axis_of_section
         from .view import picture_plotter
-        new_plotter = partial(picture_plotter, screenshot is not None, window_size, background)
+        new_plotter = partial(picture_plotter, screenshot is not None, window_size or (800, 800), background)
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
         if self._is_flat(options):
@@ -297,7 +297,7 @@ class WeatherAccessor:
         if lit:
             from .in_the_sun import sun_of
             look["sun"], found = sun_of(look["sun"], self._understood(0 if time is None else time, options.get("vertical"), _options(options)[0])[0], grid), None
-        draw = plotted_section if axis_of_section(grid) else plotted
+        draw = plotted_section if axis_of_section(grid) else partial(plotted, fitted=window_size is None)
         return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view)
 
     def _of_one_level(self, scalars: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any]) -> xarray.Dataset | None:

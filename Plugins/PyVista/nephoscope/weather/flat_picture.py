@@ -14,6 +14,7 @@ from .bars import finish_bars, make_room
 from .exaggeration import say
 from .look import surface_look, with_share
 from .picture import BESIDE, refuse_volume, without_missing
+from .scales import add_scales
 from .section_ground import LAND, ground_of, visible
 from .sections import unrolled
 from .view import PicturePlotter, set_view
@@ -100,7 +101,7 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
     title = with_share(title, grid, name, association, options, look)
     plotter.add_mesh(visible(grid, name), scalars=name, **{"nan_opacity": 0, "lighting": False, **look})
     plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
-    _add_scales(plotter, grid, flat, scales)
+    add_scales(plotter, grid.bounds, flat, scales)
     plotter.enable_parallel_projection()
     across, up = (np.ptp(grid.bounds[2 * axis:2 * axis + 2]) for axis in ["xyz".index(letter) for letter in "xyz" if letter != flat])
     aspect = plotter.window_size[0] / plotter.window_size[1]
@@ -116,30 +117,3 @@ def _lengths(grid: pyvista.DataSet) -> dict[str, tuple[str, float]]:
     spans, scale = np.ptp(np.reshape(grid.bounds, (3, 2)), axis=1), np.array([1, 1, stretch])
     unit, size = ("km", 1000.0) if (spans / scale).max() > 1e4 else ("m", 1.0)
     return {letter: (f"{letter} [{unit}]", size * factor) for letter, factor in zip("xyz", scale)}
-
-
-def _add_scales(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, flat: str, scales: dict[str, tuple[str, float]]) -> None:
-    """Axes with round values, below and on the left. `scales`: the title of each axis, and the length of its unit in the scene."""
-    bounds = np.reshape(grid.bounds, (3, 2))
-    spans = np.ptp(bounds, axis=1)
-    letters = [letter for letter in "xyz" if letter != flat]
-    for letter, other, where in ((*letters, ("center", "top")), (*letters[::-1], ("right", "center"))):
-        i, j, gap = "xyz".index(letter), "xyz".index(other), 0.015 * spans.max()
-        axis_title, size = scales[letter]
-        values = ticks(*bounds[i] / size)
-        feet = np.repeat(bounds[None, :, 0], len(values) + 1, axis=0)
-        feet[:-1, i], feet[-1, i] = values * size, bounds[i, 1] if letter == letters[1] else bounds[i].mean()
-        ends = feet.copy()
-        ends[:, j] -= gap
-        lines = [*zip(feet[:-1], ends[:-1]), (bounds[:, 0], [bounds[k, 1 if k == i else 0] for k in range(3)])]
-        plotter.add_mesh(pyvista.line_segments_from_points(np.reshape(lines, (-1, 3))), color=plotter.theme.font.color, lighting=False, name=f"scale_{letter}", reset_camera=False)
-        ends[-1] += (0.05 * spans.max()) * np.eye(3)[i] if letter == letters[1] else (-4 * gap) * np.eye(3)[j]
-        plotter.add_point_labels(ends, [*(f"{value - 360 if axis_title == '°E' and value > 360 else value:g}" for value in values), axis_title], show_points=False, shape=None, font_size=13, always_visible=True, margin=0,
-                                 text_color=plotter.theme.font.color, bold=False, justification_horizontal=where[0], justification_vertical=where[1], name=f"labels_{letter}", reset_camera=False)
-
-
-def ticks(low: float, high: float) -> np.ndarray:
-    """Three to seven round values between the limits."""
-    power = 10.0 ** np.floor(np.log10((high - low) / 3)) if high > low else 1.0
-    step = max((step for step in (power, 2 * power, 5 * power) if step * 3 <= high - low), default=power)
-    return step * np.arange(np.ceil(low / step - 1e-6), np.floor(high / step + 1e-6) + 1) + 0.0  # no -0

@@ -7,6 +7,7 @@ from typing import Any, Callable
 
 import numpy as np
 import pyvista
+from vtkmodules.vtkRenderingCore import vtkProp3D
 
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
@@ -18,6 +19,7 @@ from .horizontal import GridError, section
 from .look import surface_look, with_share
 from .lowest import fills_the_air, lowest_level
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
+from .scales import EAST, NORTH, add_scales
 from .sea import is_sea, look_of_water
 from .view import PicturePlotter, is_place, look_down, picture_theme, set_view
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
@@ -26,16 +28,19 @@ FONTS = {"title_font_size": 14, "label_font_size": 12}
 BESIDE = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "n_labels": 4, **FONTS}  # the globe
 BELOW = {"vertical": False, "position_x": 0.25, "position_y": 0.02, "width": 0.5, "height": 0.09, "n_labels": 4, **FONTS}  # the map
 VOLUME = ("contours", "layers", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")  # options of volumes alone
-STRIP = 0.14  # of the height of the picture, at its lower edge, for the scalar bar below a map
+STRIP = 0.18  # of the height of the picture, at its lower edge, for the scalar bar and the degrees of longitude below a map
+LABELS = 0.08  # of the width of the picture, at its left edge, for the degrees of latitude
 MARGIN = 0.04  # of the width and of the height, around a map
 
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-            new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None) -> pyvista.Plotter:
-    """`title`: that of the scalar bar, for the name of an array."""
+            new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None, fitted: bool = False) -> pyvista.Plotter:
+    """`title`: that of the scalar bar, for the name of an array. `fitted`: a map that is wide makes the window lower."""
     refuse_sections(grid)
     grid = without_missing(grid, scalars)
     plotter = new_plotter()
+    if fitted and is_map(grid) and (limits := _limits_of_map(grid)) is not None:
+        plotter.window_size = _window_of_map(plotter.window_size[0], limits)
     draw(plotter, grid, scalars, options, title, view)
     plotter.show(screenshot=screenshot or False, auto_close=False)
     return plotter
@@ -112,11 +117,14 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
             title = with_share(title, grid, name, association_of(grid, name, "point", "scalars"), asked, options)
         add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
     finish_bars(plotter, title)
+    limits = None if on_globe else _limits_of_map(grid)
+    if limits is not None:
+        _finish_map(plotter, grid, limits)
     if on_globe and (view is None or is_place(view)):
         look_down(plotter, grid, _finite(grid), None if "sun" in options else name, view, sea)
-    elif view is None:
-        _look_at_map(plotter, grid)
-    else:
+    elif view is None and limits is not None:
+        _look_at_map(plotter, limits)
+    elif view is not None:
         set_view(plotter, view)
         plotter.camera.SetWindowCenter(0.08 if on_globe else 0, 0)  # room for the scalar bar
     if on_globe and (view is None or is_place(view)):
@@ -155,7 +163,7 @@ def _add_map(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: b
     (west, south, bottom), (east, north, top) = points.min(axis=0), points.max(axis=0)
     step = 0.001 * max(east - west, north - south)
     ground = bottom - step if flat or sea else 0.0
-    radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+    radius = _radius_of(grid)
     edges = tuple(np.degrees(np.array([west, east, south, north]) / radius))
     add_ground(plotter, map_ground(edges, radius, ground))
     if flat or sea:
@@ -167,22 +175,54 @@ def _finite(grid: pyvista.DataSet) -> np.ndarray:
     return points[np.isfinite(points).all(axis=1)]
 
 
-def _look_at_map(plotter: pyvista.Plotter, grid: pyvista.DataSet) -> None:
-    """From above, with north up, above a strip for the scalar bar."""
-    points = _finite(grid)
-    if not points.size:
-        return
-    low, high = points.min(axis=0), points.max(axis=0)
+def _look_at_map(plotter: pyvista.BasePlotter, limits: np.ndarray) -> None:
+    """From above, with north up, above a strip for the scalar bar and right of the degrees of latitude. `limits`: of the map in the scene, shape (2, 3)."""
+    (low, high), aspect = limits, plotter.window_size[0] / plotter.window_size[1]
     middle, (width, height, depth) = 0.5 * (low + high), high - low
-    aspect = plotter.window_size[0] / plotter.window_size[1]
-    scale = max(width / aspect / (1 - 2 * MARGIN), height / (1 - 2 * MARGIN - STRIP)) or 1.0  # height of the picture in the scene
-    middle[1] -= 0.5 * STRIP * scale
+    scale = max(width / aspect / (1 - 2 * MARGIN - LABELS), height / (1 - 2 * MARGIN - STRIP)) or 1.0  # height of the picture in the scene
+    middle -= (0.5 * LABELS * scale * aspect, 0.5 * STRIP * scale, 0)
     plotter.camera.focal_point = middle
     plotter.camera.position = middle + (0, 0, depth + 2 * scale)
     plotter.camera.up = (0, 1, 0)
     plotter.enable_parallel_projection()
     plotter.camera.parallel_scale = 0.5 * scale
     plotter.reset_camera_clipping_range()
+
+
+def _window_of_map(across: int, limits: np.ndarray) -> tuple[int, int]:
+    """A window that the map fills, between half as high as wide and square."""
+    width, height, _ = limits[1] - limits[0]
+    share = height * (1 - 2 * MARGIN - LABELS) / ((width or 1.0) * (1 - 2 * MARGIN - STRIP))
+    return across, int(across * min(1.0, max(0.5, share)))
+
+
+def _limits_of_map(grid: pyvista.DataSet) -> np.ndarray | None:
+    """Those of a map in the scene, where degrees of longitude are as long as they are in its middle, shape (2, 3); None if no point has a place."""
+    points = _finite(grid)
+    if not len(points):
+        return None
+    limits = np.array([points.min(axis=0), points.max(axis=0)])
+    limits[:, 0] *= _shorter(grid, limits)
+    return limits
+
+
+def _shorter(grid: pyvista.DataSet, limits: np.ndarray) -> float:
+    """The length of a degree of longitude in the middle of a map, over that at the equator."""
+    return max(float(np.cos(limits[:, 1].mean() / _radius_of(grid))), 0.05)
+
+
+def _radius_of(grid: pyvista.DataSet) -> float:
+    return float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+
+
+def _finish_map(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, limits: np.ndarray) -> None:
+    """Makes the map as wide as the `limits`, and adds axes with degrees."""
+    shorter = _shorter(grid, limits)
+    for actor in plotter.renderer.actors.values():
+        if isinstance(actor, vtkProp3D):
+            actor.SetScale(shorter, 1, 1)
+    degree = np.radians(1.0) * _radius_of(grid)
+    add_scales(plotter, limits.T.ravel(), "z", {"x": (EAST, degree * shorter), "y": (NORTH, degree)})
 
 
 def _below(sheet: pyvista.DataSet) -> float:

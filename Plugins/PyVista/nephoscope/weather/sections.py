@@ -9,6 +9,7 @@ import numpy as np
 import pyvista
 
 from ..globe import EARTH_RADIUS, is_map
+from .scales import meridian, parallel
 from .sea import is_sea
 
 SHALLOW = 2000.0  # m: air that is lower has its heights in metres, as water has
@@ -86,9 +87,4 @@ def _along(longitude: np.ndarray, latitude: np.ndarray) -> tuple[str, np.ndarray
     east, north = (ends[1][0] - ends[0][0]) * np.cos(y.mean()), ends[1][1] - ends[0][1]
     if (east if abs(east) >= abs(north) else north) < 0:  # the west on the left, or the south
         ends, distance = ends[::-1], distance[-1] - distance
-    return f"km from {_told(*ends[0])} to {_told(*ends[1])}", distance
-
-
-def _told(longitude: float, latitude: float) -> str:
-    east = (longitude + 180) % 360 - 180
-    return f"{abs(latitude):.1f}°{'N' if latitude >= 0 else 'S'} {abs(east):.1f}°{'E' if east >= 0 else 'W'}"
+    return "km from " + " to ".join(f"{parallel(north, '.1f')} {meridian(east, '.1f')}" for east, north in ends), distance
