@@ -61,6 +61,14 @@ class Blocks(unittest.TestCase):
             with self.assertRaisesRegex(MissingDataError, "no block has an array 'dens'. Point arrays: 'T', 'density'"):
                 add(self.plotter, pyvista.MultiBlock(blocks), "dens")
 
+    def test_an_array_on_cells_in_one_block(self):
+        on_cells = cube(2, names=())
+        on_cells.cell_data["density"] = np.linspace(0, 1, on_cells.n_cells)
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            drawn, told = self.add(add, {"first": cube(), "second": on_cells}, "density")
+            self.assertEqual(drawn.n_points, 64)
+            self.assertIn("'second' ('density' is on cells there, on points in other blocks: use block.cell_data_to_point_data())", told)
+
     def test_what_fits_says_nothing(self):
         for add in (nephoscope.add_cells, nephoscope.add_splats):
             drawn, told = self.add(add, {"a": cube(names=("density", "T")), "b": cube(5.0)})

@@ -91,6 +91,23 @@ class Currents(unittest.TestCase):
         self.check(top, 1)
         self.check(top.assign({name: xr.zeros_like(top.h, float) for name in ("zeta", "ssh", "heat")}), 1)
 
+    def test_titles(self):
+        """Velocities of water are currents, and a unit has one spelling."""
+        for data in (currents_of_roms(), currents_of_roms().isel(s_rho=-1)):
+            for name, title in (("wind_speed", "Current speed\n[m s-1]"), ("u", "u [m s-1]"), ("zeta", "zeta [m]")):
+                plotter = data.nephoscope.plot(name, screenshot=str(OUTPUT), window_size=(200, 200))
+                self.addCleanup(plotter.close)
+                (bar,) = plotter.scalar_bars.values()
+                self.assertEqual(bar.GetTitle().replace("\n", " "), title.replace("\n", " "))
+        velocities = [("eastward_wind", "Wind speed [m s-1]"), ("eastward_sea_water_velocity", "Current speed [m s-1]")]
+        for standard, title in velocities:
+            data = ocean(1.0, "uo", standard, units="m/s").isel(depth=0, drop=True)
+            data["vo"] = data.uo.assign_attrs(standard_name=standard.replace("eastward", "northward"))
+            plotter = data.nephoscope.plot("wind_speed", screenshot=str(OUTPUT), window_size=(200, 200))
+            self.addCleanup(plotter.close)
+            (bar,) = plotter.scalar_bars.values()
+            self.assertEqual(bar.GetTitle().replace("\n", " "), title)
+
     def test_fields_of_one_level_beside_currents(self):
         """They are drawn as where they are alone, also by animate."""
         data = currents_of_roms().reset_coords(["lon_rho", "lat_rho"])

@@ -98,12 +98,20 @@ def fitting(blocks: list[tuple[str, pyvista.DataSet]], arrays: Mapping[str, Any]
         if argument in ("vectors", "vector_scalars"):
             blocks = [(its_name, _with_zeros(block, kind, name, getattr(having[0][1], kind)[name])) for its_name, block in blocks]
             continue
-        left_out.update({its_name: f"no {kind[:-5]} array {name!r}" for its_name, block in blocks if name not in getattr(block, kind)})
+        left_out.update({its_name: _why_without(block, kind, name) for its_name, block in blocks if name not in getattr(block, kind)})
         blocks = having
     if left_out:
         told = ", ".join(f"{name!r} ({why})" for name, why in left_out.items())
         warnings.warn(f"Blocks that are not drawn: {told}.", UserWarning, stacklevel=level_of_caller())
     return [block for _, block in blocks]
+
+
+def _why_without(block: pyvista.DataSet, kind: str, name: str) -> str:
+    """Why the block does not take part in the array `name` of points or cells, and the remedy."""
+    if name not in block.array_names:
+        return f"no {kind[:-5]} array {name!r}"
+    here, remedy = ("cells", "cell_data_to_point_data") if kind == "point_data" else ("points", "point_data_to_cell_data")
+    return f"{name!r} is on {here} there, on {kind[:-5]}s in other blocks: use block.{remedy}()"
 
 
 def alike(blocks: list[pyvista.DataSet]) -> list[pyvista.DataSet]:

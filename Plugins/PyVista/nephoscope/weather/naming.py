@@ -10,7 +10,8 @@ from .._checks import listed
 from .derived import QUANTITIES
 from .reading import KINDS, Reading
 from .roles import ROLES
-from .units import simple
+from .sea import is_of_water
+from .units import simple, usual
 
 UNITS = {"potential_temperature": "K", "equivalent_potential_temperature": "K", "wind_speed": "m s-1", "wind_magnitude": "m s-1", "vorticity": "s-1", "cloud_content": "kg m-3", "water_vapour": "kg m-3"}
 LONGEST = 40  # letters of a title; longer names are descriptions
@@ -57,8 +58,9 @@ def title(dataset, grid, name: str) -> str:
     units = str(grid.field_data[f"{name}_units"][0]) if f"{name}_units" in grid.field_data else told
     units = told if units == simple(told) else units  # those of the file may have signs that are not ASCII
     text = text.replace("_", " ") if attrs.get("standard_name") == text or name in UNITS else text
+    text = "current speed" if name in ("wind_speed", "wind_magnitude") and name not in dataset.variables and is_of_water(dataset, grid) else text
     text = text[:1].upper() + text[1:] if text != name or name in UNITS else text
-    return text if units.strip().lower() in UNITLESS else f"{text} [{units}]"
+    return text if units.strip().lower() in UNITLESS else f"{text} [{usual(units)}]"
 
 
 def refuse_unknown(function: str, options: dict[str, Any], own: tuple[str, ...]) -> None:

@@ -30,6 +30,12 @@ def is_sea(grid: pyvista.DataSet) -> bool:
     return heights.size > 0 and is_below(heights.min(), heights.max())
 
 
+def is_of_water(dataset: Any, grid: pyvista.DataSet) -> bool:
+    """Whether velocities of the dataset are those of currents."""
+    names = [str(variable.attrs.get("standard_name", "")) for variable in dataset.variables.values()]
+    return is_sea(grid) or any("sea_water" in name or name.startswith(("ocean_s_", "ocean_sigma", "ocean_double_sigma")) for name in names)
+
+
 def look_of_water(grid: pyvista.DataSet, name: str, options: dict[str, Any], transparent: tuple[str, ...]) -> dict[str, Any]:
     """Options of `add_cells` that make the water opaque, so that its surface and its sides are seen, unless the field is zero almost everywhere or the options have
     one of those that are named by `transparent`."""

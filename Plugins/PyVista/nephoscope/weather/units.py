@@ -67,6 +67,18 @@ def plain(units: object) -> str:
     return re.sub(r"[\s*^.{}]", "", text) if text not in ("*", ".") else ""
 
 
+# Spellings of one unit, as `plain` returns them, by what is written in a picture.
+_SPELLINGS = {"m": {"m", "meter", "meters", "metre", "metres"}, "m s-1": {text for text, factor in _SPEED.items() if factor == 1},
+              "K": {text for text, factor in UNITS["temperature"][1].items() if factor == 1}, "\u00b0C": {text for text, factor in UNITS["temperature"][1].items() if factor == (1, 273.15)},
+              "Pa": {"pa", "pascal", "pascals", "nm-2"}, "hPa": {"hpa", "hectopascal", "hectopascals", "mb", "mbar", "mbars", "millibar", "millibars"}, "%": {"%", "percent", "per_cent"}}
+
+
+def usual(units: str) -> str:
+    """The units in one spelling, "m s-1" for "m/s" and "meter second-1"; those that have no other spelling here as they are."""
+    text = plain(units)
+    return next((written for written, spellings in _SPELLINGS.items() if text in spellings), units)
+
+
 def knows(units: object, quantity: str) -> bool:
     return plain(units) in UNITS[quantity][1]
 
