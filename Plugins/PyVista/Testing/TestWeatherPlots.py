@@ -95,6 +95,28 @@ class Plots(unittest.TestCase):
                 labels = source.GetInputDataObject(0, 0).GetPointData().GetAbstractArray("labels")
                 self.assertLessEqual(expected, {labels.GetValue(i) for i in range(labels.GetNumberOfValues())})
 
+    def test_in_a_plotter(self):
+        """Into a sub-plot as in a plotter of its own, with its labels and its bar; the plotter is not shown, and keeps what is in the other one."""
+        data = forecast()
+        plotter = pyvista.Plotter(shape=(1, 2), off_screen=True, window_size=(1600, 800), theme=pyvista.themes.DarkTheme(), border=False)
+        self.addCleanup(plotter.close)
+        kinds = [("cl", {}), ("ta", {"projection": "map"})]
+        for index, (name, options) in enumerate(kinds):
+            plotter.subplot(0, index)
+            self.assertIs(data.nephoscope.plot(name, plotter=plotter, **options), plotter)
+        self.assertEqual(plotter.render_window.GetNeverRendered(), 1)
+        picture = plotter.screenshot(return_img=True)[::-1].astype(float)
+        for index, (name, options) in enumerate(kinds):
+            _, alone = self.plotted(data, name, **options)
+            self.assertLess(np.abs(picture[:, 800 * index:800 * index + 800] - alone).mean(), 1)
+        plotter.subplot(0, 0)
+        data.isel(lon=3).nephoscope.plot("ta", plotter=plotter)
+        self.assertIn("labels_x-labels", plotter.renderers[0].actors)
+        self.assertIn("labels_x_1-labels", plotter.renderers[1].actors)
+        for option in ({"window_size": (10, 10)}, {"background": "white"}):
+            with self.assertRaisesRegex(TypeError, f"^{next(iter(option))}: .*plotter is given"):
+                data.nephoscope.plot("cl", plotter=plotter, **option)
+
     def test_a_wide_map_has_a_low_window(self):
         level = isothermal(np.arange(0, 360, 10.0), np.arange(-90, 91, 10.0)).isel(plev=1)
         plotter = level.nephoscope.plot("ta", projection="map", screenshot=str(Path(self.enterContext(tempfile.TemporaryDirectory()), "a.png")))

@@ -234,7 +234,7 @@ class WeatherAccessor:
 
     def plot(self, scalars: str | None = None, *, time: int | str | np.datetime64 | None = None, screenshot: str | None = None, vertical_exaggeration: float | None = None,
              opacity: Any = None, cmap: Any = None, clim: float | Numbers | None = None, window_size: Sequence[int] | None = None, view: Any = None,
-             background: Any = None, **options: Any) -> pyvista.Plotter:
+             background: Any = None, plotter: pyvista.Plotter | None = None, **options: Any) -> pyvista.Plotter:
         """Draw one field as a volume over the Earth, in a window or into a file; a field of one level as a surface with coasts.
 
         A section at one longitude or latitude, or a mean along these, is drawn by latitude or longitude and height; one row or column of a rotated or
@@ -263,6 +263,8 @@ class WeatherAccessor:
             from the south, obliquely. Maps are seen from above.
         background : ColorLike, optional
             Colour behind the picture; text is black or white, whichever can be read. Default: that of PyVista's global theme, if it is not white, otherwise black.
+        plotter : pyvista.Plotter, optional
+            Draw into the active sub-plot of this plotter, which keeps its size and its background, and do not show it: call ``plotter.show()``.
         **options
             Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``contours``, ``layers``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
             ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``
@@ -273,21 +275,26 @@ class WeatherAccessor:
         pyvista.Plotter
             The plotter, after it has been shown. After ``screenshot`` it can draw further pictures: set ``plotter.camera_position``, and call ``plotter.screenshot("other.png")``.
         """
+        from .._medium import require_plotter
         from .exaggeration import USUAL, suited
         from .flat_picture import plotted_section
         from .naming import refuse_unknown, title
         from .picture import plotted
         from .sections import as_section, axis_of_section
         from .view import picture_plotter
-        new_plotter = partial(picture_plotter, screenshot is not None, window_size or (800, 800), background)
+        if plotter is not None:
+            require_plotter(plotter)
+            if window_size is not None or background is not None:
+                raise TypeError(f"{'background' if window_size is None else 'window_size'}: an option of a new picture, but plotter is given. Set it there: plotter.background_color or plotter.window_size.")
+        new_plotter = (lambda: plotter) if plotter is not None else partial(picture_plotter, screenshot is not None, window_size or (800, 800), background)
         look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
         if self._is_flat(options):
-            return self._plotted_flat(scalars, screenshot, new_plotter, view, look, vertical_exaggeration, {"time": time, **options})
-        plot_other = lambda dataset: WeatherAccessor(dataset).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, **look, **options)  # noqa: E731
+            return self._plotted_flat(scalars, screenshot, new_plotter, view, plotter is None, look, vertical_exaggeration, {"time": time, **options})
+        plot_other = lambda dataset: WeatherAccessor(dataset).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, plotter=plotter, **look, **options)  # noqa: E731
         if (section := as_section(self._dataset)) is not self._dataset:
             return plot_other(section)
-        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", "background", *LOOK_OF_PLOT))
+        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", "background", "plotter", *LOOK_OF_PLOT))
         if "sun" not in look and (level := self._of_one_level(scalars, time, options)) is not None:
             return plot_other(level)
         found, of_field = self._of_field(scalars, time, options)
@@ -297,8 +304,8 @@ class WeatherAccessor:
         if lit:
             from .in_the_sun import sun_of
             look["sun"], found = sun_of(look["sun"], self._understood(0 if time is None else time, options.get("vertical"), _options(options)[0])[0], grid), None
-        draw = plotted_section if axis_of_section(grid) else partial(plotted, fitted=window_size is None)
-        return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view)
+        draw = plotted_section if axis_of_section(grid) else partial(plotted, fitted=window_size is None and plotter is None)
+        return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view, shown=plotter is None)
 
     def _of_one_level(self, scalars: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any]) -> xarray.Dataset | None:
         """The dataset without levels, and without fields on other grids, where a field without them is wanted that is beside others; otherwise None."""
@@ -329,19 +336,19 @@ class WeatherAccessor:
         from .flat import is_flat
         return bool({"x", "y", "z"} & set(options)) or is_flat(self._dataset)
 
-    def _plotted_flat(self, scalars: str | None, screenshot: str | None, new_plotter: Callable[[], pyvista.Plotter], view: Any, look: dict[str, Any], exaggeration: float | None, options: dict[str, Any]) -> pyvista.Plotter:
+    def _plotted_flat(self, scalars: str | None, screenshot: str | None, new_plotter: Callable[[], pyvista.Plotter], view: Any, shown: bool, look: dict[str, Any], exaggeration: float | None, options: dict[str, Any]) -> pyvista.Plotter:
         from .exaggeration import suited
         from .flat_picture import plotted_flat
         from .naming import title
         unknown = [name for name in options if name not in FLAT]
         if unknown:
-            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, view, window_size, background, "
+            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, view, window_size, background, plotter, "
                             f"{', '.join(LOOK_OF_PLOT)}.")
         found, of_field = self._of_field(scalars, None, options)
         lit = "sun" in look  # needs all water and the air
         make = lambda factor: self.grid(vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731
         grid = suited(make, 1.0) if exaggeration is None else make(exaggeration)
-        return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view)
+        return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view, shown)
 
     def _flat_column(self, quantity: str, time: Any, options: dict[str, Any]) -> pyvista.DataSet:
         from .flat import Flat

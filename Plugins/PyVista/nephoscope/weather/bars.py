@@ -10,6 +10,8 @@ import pyvista
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
+from .view import size_of
+
 RIGHT = 0.885  # left edge of an upright bar in a window that has room beside it, as a share of the width
 EDGE = 6  # pixels between text and the edge of the window
 NARROWEST = 26  # pixels of a bar with its labels' gap
@@ -29,7 +31,9 @@ def label_format(low: float, high: float, count: int) -> str:
 
 def finish_bars(plotter: pyvista.BasePlotter, title) -> None:
     """Titles, labels and places of all scalar bars; upright ones may take room from the picture beside them. `title`: of the name of an array."""
-    for bar in plotter.scalar_bars.values():
+    for name, bar in plotter.scalar_bars.items():
+        if bar.GetTitle() != name or not plotter.renderer.HasViewProp(bar):  # it is finished, or another sub-plot's
+            continue
         set_title(bar, title(bar.GetTitle()))
         table = bar.GetLookupTable()
         count, logarithmic = bar.GetNumberOfLabels(), bool(table.UsingLogScale())
@@ -47,7 +51,7 @@ def _labels(bar: vtkScalarBarActor, logarithmic: bool) -> list[str]:
 
 def _fit_upright(plotter: pyvista.BasePlotter, bar: vtkScalarBarActor, widest: float) -> None:
     """Moves the bar to the left as far as its labels and its title need."""
-    across = plotter.window_size[0]
+    across = size_of(plotter)[0]
     width = max(bar.GetWidth(), NARROWEST / across)
     title = max(_width(plotter, bar.GetTitleTextProperty(), line) for line in bar.GetTitle().split("\n"))
     needed = 0.5 * width * across + max(widest + 4, 0.5 * title) + EDGE
@@ -58,7 +62,7 @@ def _fit_upright(plotter: pyvista.BasePlotter, bar: vtkScalarBarActor, widest: f
 
 def _fit_lying(plotter: pyvista.BasePlotter, bar: vtkScalarBarActor, widest: float) -> None:
     """As few labels as stand side by side."""
-    room = bar.GetWidth() * plotter.window_size[0]
+    room = bar.GetWidth() * size_of(plotter)[0]
     most = 1 + int(room / (1.3 * widest + 1))
     if most < bar.GetNumberOfLabels():
         bar.SetNumberOfLabels(max(2, most))
@@ -73,8 +77,8 @@ def _width(plotter: pyvista.BasePlotter, prop: vtkTextProperty, text: str) -> fl
 
 def make_room(plotter: pyvista.BasePlotter, as_high: bool) -> None:
     """Moves the picture to the left of the upright bars, and makes it smaller, if they have taken its room. `as_high`: it is as wide as it is high, whatever the window is."""
-    left = min((bar.GetPosition()[0] for bar in plotter.scalar_bars.values() if bar.GetOrientation()), default=RIGHT)
-    across, high = plotter.window_size
+    left = min((bar.GetPosition()[0] for bar in plotter.scalar_bars.values() if bar.GetOrientation() and plotter.renderer.HasViewProp(bar)), default=RIGHT)
+    across, high = size_of(plotter)
     if left < RIGHT - 0.005:
         plotter.camera.SetWindowCenter(max(1 - left, plotter.camera.GetWindowCenter()[0]), 0)
     share = left / RIGHT * (across / high if as_high else 1.0)

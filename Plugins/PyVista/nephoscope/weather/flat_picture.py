@@ -17,7 +17,7 @@ from .picture import BESIDE, refuse_volume, without_missing
 from .scales import add_scales
 from .section_ground import LAND, ground_of, visible
 from .sections import unrolled
-from .view import PicturePlotter, set_view
+from .view import PicturePlotter, finish, set_view, size_of
 
 GROUND = (0.06, 0.13, 0.2)
 FACING = {"x": (1, 0, 0), "y": (0, -1, 0), "z": (0, 0, 1)}  # where to look from at a section, by the axis that it lacks
@@ -25,7 +25,7 @@ WIDE, HIGH = 0.66, 0.78  # of the picture, for a section beside its labels and t
 
 
 def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-                 new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None) -> pyvista.Plotter:
+                 new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None, shown: bool = True) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
     grid = without_missing(grid, scalars)
     plotter = new_plotter()
@@ -33,24 +33,22 @@ def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | N
     if view is not None:
         plotter.camera.view_angle = 30  # PyVista's
         set_view(plotter, view)
-    plotter.show(screenshot=screenshot or False, auto_close=False)
-    return plotter
+    return finish(plotter, screenshot, shown)
 
 
 def plotted_section(grid: pyvista.StructuredGrid, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str],
-                    new_plotter: Callable[[], pyvista.Plotter], view: Any) -> pyvista.Plotter:
+                    new_plotter: Callable[[], pyvista.Plotter], view: Any, shown: bool = True) -> pyvista.Plotter:
     """A section of the globe, by latitude, longitude or distance and height."""
     plotter = new_plotter()
     draw_section(plotter, *unrolled(grid, shape_of_section(plotter)), scalars, options, title)
     if view is not None:
         set_view(plotter, view)
-    plotter.show(screenshot=screenshot or False, auto_close=False)
-    return plotter
+    return finish(plotter, screenshot, shown)
 
 
 def shape_of_section(plotter: pyvista.BasePlotter) -> float:
     """Height over width of a section that fills the picture."""
-    across, high = plotter.window_size
+    across, high = size_of(plotter)
     return min(1.0, max(0.4, HIGH / WIDE * high / across))
 
 
@@ -104,7 +102,7 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
     add_scales(plotter, grid.bounds, flat, scales)
     plotter.enable_parallel_projection()
     across, up = (np.ptp(grid.bounds[2 * axis:2 * axis + 2]) for axis in ["xyz".index(letter) for letter in "xyz" if letter != flat])
-    aspect = plotter.window_size[0] / plotter.window_size[1]
+    aspect = np.divide(*size_of(plotter))
     plotter.camera.parallel_scale = 0.5 * max(across / aspect / WIDE, up / HIGH) or 1.0
     plotter.camera.SetWindowCenter(0.06, 0)  # room for the scalar bar
     plotter.reset_camera_clipping_range()

@@ -21,7 +21,7 @@ from .lowest import fills_the_air, lowest_level
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .scales import EAST, NORTH, add_scales
 from .sea import is_sea, look_of_water
-from .view import PicturePlotter, is_place, look_down, picture_theme, set_view
+from .view import PicturePlotter, finish, is_place, look_down, picture_theme, set_view, size_of
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
@@ -34,16 +34,15 @@ MARGIN = 0.04  # of the width and of the height, around a map
 
 
 def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-            new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None, fitted: bool = False) -> pyvista.Plotter:
-    """`title`: that of the scalar bar, for the name of an array. `fitted`: a map that is wide makes the window lower."""
+            new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None, fitted: bool = False, shown: bool = True) -> pyvista.Plotter:
+    """`title`: that of the scalar bar, for the name of an array. `fitted`: a map that is wide makes the window lower. `shown`: the plotter shows it."""
     refuse_sections(grid)
     grid = without_missing(grid, scalars)
     plotter = new_plotter()
     if fitted and is_map(grid) and (limits := _limits_of_map(grid)) is not None:
         plotter.window_size = _window_of_map(plotter.window_size[0], limits)
     draw(plotter, grid, scalars, options, title, view)
-    plotter.show(screenshot=screenshot or False, auto_close=False)
-    return plotter
+    return finish(plotter, screenshot, shown)
 
 
 def without_missing(grid: pyvista.DataSet, scalars: str | None) -> pyvista.DataSet:
@@ -177,7 +176,7 @@ def _finite(grid: pyvista.DataSet) -> np.ndarray:
 
 def _look_at_map(plotter: pyvista.BasePlotter, limits: np.ndarray) -> None:
     """From above, with north up, above a strip for the scalar bar and right of the degrees of latitude. `limits`: of the map in the scene, shape (2, 3)."""
-    (low, high), aspect = limits, plotter.window_size[0] / plotter.window_size[1]
+    (low, high), aspect = limits, np.divide(*size_of(plotter))
     middle, (width, height, depth) = 0.5 * (low + high), high - low
     scale = max(width / aspect / (1 - 2 * MARGIN - LABELS), height / (1 - 2 * MARGIN - STRIP)) or 1.0  # height of the picture in the scene
     middle -= (0.5 * LABELS * scale * aspect, 0.5 * STRIP * scale, 0)

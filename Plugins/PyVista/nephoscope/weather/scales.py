@@ -15,6 +15,7 @@ def add_scales(plotter: pyvista.BasePlotter, bounds: Sequence[float], flat: str,
     """Axes with round values, below and on the left. `bounds`: of what is drawn in the scene. `scales`: the title of each axis, and the length of its unit in the scene."""
     bounds = np.reshape(bounds, (3, 2))
     spans = np.ptp(bounds, axis=1)
+    plot = plotter.renderers.active_index  # PyVista removes labels of one name from all sub-plots
     letters = [letter for letter in "xyz" if letter != flat]
     for letter, other, where in ((*letters, ("center", "top")), (*letters[::-1], ("right", "center"))):
         i, j, gap = "xyz".index(letter), "xyz".index(other), 0.015 * spans.max()
@@ -28,7 +29,7 @@ def add_scales(plotter: pyvista.BasePlotter, bounds: Sequence[float], flat: str,
         plotter.add_mesh(pyvista.line_segments_from_points(np.reshape(lines, (-1, 3))), color=plotter.theme.font.color, lighting=False, name=f"scale_{letter}", reset_camera=False)
         ends[-1] += (0.05 * spans.max()) * np.eye(3)[i] if letter == letters[1] else (-4 * gap) * np.eye(3)[j]
         plotter.add_point_labels(ends, _texts(values, axis_title), show_points=False, shape=None, font_size=13, always_visible=True, margin=0,
-                                 text_color=plotter.theme.font.color, bold=False, justification_horizontal=where[0], justification_vertical=where[1], name=f"labels_{letter}", reset_camera=False)
+                                 text_color=plotter.theme.font.color, bold=False, justification_horizontal=where[0], justification_vertical=where[1], name=f"labels_{letter}_{plot}" if plot else f"labels_{letter}", reset_camera=False)
 
 
 def _texts(values: np.ndarray, axis_title: str) -> list[str]:

@@ -52,6 +52,21 @@ def picture_plotter(off_screen: bool, window_size: Sequence[int], background: An
     return PicturePlotter(off_screen=off_screen, theme=picture_theme(background), window_size=window_size)
 
 
+def size_of(plotter: pyvista.BasePlotter) -> tuple[float, float]:
+    """Width and height of the active sub-plot in pixels."""
+    left, bottom, right, top = plotter.renderer.GetViewport()
+    return plotter.window_size[0] * (right - left), plotter.window_size[1] * (top - bottom)
+
+
+def finish(plotter: pyvista.Plotter, screenshot: str | None, shown: bool) -> pyvista.Plotter:
+    """Shows the picture, unless the plotter is that of the user, and writes it into the file."""
+    if shown:
+        plotter.show(screenshot=screenshot or False, auto_close=False)
+    elif screenshot:
+        plotter.screenshot(screenshot)
+    return plotter
+
+
 def is_place(view: Any) -> bool:
     """Whether `view` is a longitude and a latitude, and not a camera position of PyVista."""
     return not isinstance(view, str) and hasattr(view, "__len__") and len(view) == 2 and all(np.ndim(value) == 0 for value in view)
