@@ -53,11 +53,11 @@ def _has_cells(dataset: Any, dim: Any) -> bool:
 
 
 def is_line(places: np.ndarray) -> bool:
-    """Whether points, unit vectors of shape (n, 3), are in their order on a line without sharp turns and without jumps."""
+    """Whether three or more points, unit vectors of shape (n, 3), are in their order on a line without sharp turns and without jumps."""
     steps = np.diff(places[np.isfinite(places).all(axis=1)], axis=0)
     lengths = np.linalg.norm(steps, axis=1)
     steps, lengths = steps[lengths > 1e-7], lengths[lengths > 1e-7]
-    if not len(steps) or lengths.sum() > LONGEST or lengths.max() > UNEVEN * np.median(lengths):
+    if len(steps) < 2 or lengths.sum() > LONGEST or lengths.max() > UNEVEN * np.median(lengths):
         return False
     directions = steps / lengths[:, None]
     return bool(((directions[1:] * directions[:-1]).sum(axis=1) > SHARPEST).all())
