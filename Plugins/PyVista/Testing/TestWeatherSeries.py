@@ -123,6 +123,27 @@ class Animation(unittest.TestCase):
                         self.assertEqual(len(surfaces), 1 if level != 1 else 3)  # the Earth or the user's; on one level the field and coasts
         self.assertEqual(pyvista.global_theme.background, "white")
 
+    def test_temperatures_are_those_of_the_lowest_level(self):
+        """As plot draws them, with the colours of that level in all steps; with an opacity they are a volume."""
+        one = isothermal(np.arange(0, 31, 5.0), np.arange(10, 41, 5.0))
+        fall = xr.DataArray([0.0, 10.0, 30.0], dims="time")
+        data = one.assign(
+            ta=(one.ta * 0 + 250 - fall - one.plev.copy(data=20.0 * np.arange(one.sizes["plev"]))).transpose("time", *one.ta.dims).assign_attrs(one.ta.attrs))
+        plotter = pyvista.Plotter(off_screen=True, window_size=(100, 100))
+        self.addCleanup(plotter.close)
+        with tempfile.TemporaryDirectory() as folder:
+            series = nephoscope.animate(plotter, data, "ta", filename=folder, progress=False, show_time=False)
+        self.addCleanup(series.close)
+        self.assertEqual(series.range("ta"), (220, 250))
+        self.assertEqual(series.mesh.dimensions[2], 1)
+        np.testing.assert_array_equal(series.mesh["ta"], 220)
+        self.assertIn("lowest level", next(iter(plotter.scalar_bars.values())).GetTitle())
+        other = pyvista.Plotter(off_screen=True, window_size=(100, 100))
+        self.addCleanup(other.close)
+        volume = nephoscope.animate(other, data, "ta", opacity="linear")
+        self.addCleanup(volume.close)
+        self.assertGreater(volume.mesh.dimensions[2], 1)
+
     def test_the_slider_shows_a_step(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
         series = nephoscope.animate(plotter, forecast(), "cl", projection="map")

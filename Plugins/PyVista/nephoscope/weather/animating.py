@@ -20,6 +20,8 @@ from .._film_motion import motion
 from .._options import refuse_unknown
 from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
+from .lowest import fills_the_air
+from .lowest_series import LowestSeries
 from .mesh_series import MeshSeries, is_meshes, mesh_series
 from .section_series import SectionSeries
 from .sections import as_section, axis_of_section
@@ -85,7 +87,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     from .picture import darken, is_untouched
     whole = isinstance(draw, str) and is_untouched(plotter)
     look = _look(draw, options)
-    series, draw = _series(plotter, dataset, draw, heights, options, whole, times)
+    series, draw = _series(plotter, dataset, draw, heights, options, whole, times, look)
     whole = whole and not isinstance(series, MeshSeries)
     before = set(plotter.renderer.actors)
     if callable(draw):
@@ -115,7 +117,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     return series
 
 
-def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool, options: dict, whole: bool, times: Any) -> tuple[Series, Any]:
+def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool, options: dict, whole: bool, times: Any, look: dict) -> tuple[Series, Any]:
     """The series, and the array that is drawn. `whole`: of the whole picture; heights are exaggerated as suits it, unless the options say how, and a section lies in the plane of the picture."""
     if is_meshes(dataset):
         _refuse(options, heights, "the meshes exist already, so they cannot take these options.")
@@ -140,6 +142,9 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
         series.stop()
         from .flat_picture import shape_of_section
         series = SectionSeries(section, shape_of_section(plotter), **options)
+    elif whole and "GlobeGridProjection" in series.mesh.field_data and fills_the_air(series.mesh, draw, look):
+        series.stop()
+        series = LowestSeries(section, draw, **options)
     return series, draw
 
 

@@ -9,17 +9,18 @@ import numpy as np
 import pyvista
 
 from .._fields import preset_of_field
-from .._over_time import follows
 from ..globe import EARTH_RADIUS, is_map
 from .prisms import HIDDEN_POINT
+from .sea import is_sea
 
+LOWEST = "LowestLevel"  # field array of such a level
 FILLING = ("temperature",)  # presets of such fields
 
 
-def fills_the_air(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...]) -> bool:
-    """Whether a picture of the point array `name` is better one of its lowest level, unless one of the `options` is `of_volumes` or the opacity. A film keeps its mesh."""
+def fills_the_air(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
+    """Whether a picture of the point array `name` of a volume is better one of its lowest level, unless one of the `options` is `of_volumes` or the opacity."""
     preset = preset_of_field(name, grid)
-    return (isinstance(grid, pyvista.StructuredGrid) and name in grid.point_data and preset is not None and preset.name in FILLING and not follows(grid)
+    return (isinstance(grid, pyvista.StructuredGrid) and min(grid.dimensions) > 1 and name in grid.point_data and preset is not None and preset.name in FILLING and not is_sea(grid)
             and not any(option in options for option in ("opacity", *of_volumes)))
 
 
@@ -35,6 +36,7 @@ def lowest_level(grid: pyvista.StructuredGrid, name: str) -> pyvista.StructuredG
     sheet.dimensions = (columns, rows, 1)
     sheet.point_data[name] = np.where(there.any(axis=0), values[first, np.arange(columns * rows)], np.nan)
     sheet.GetFieldData().ShallowCopy(grid.GetFieldData())
+    sheet.field_data[LOWEST] = [1]
     return sheet
 
 

@@ -17,7 +17,7 @@ from ..globe import EARTH_RADIUS, globe_surface, is_map
 from .bars import finish_bars, make_room
 from .horizontal import GridError, section
 from .look import surface_look, with_share
-from .lowest import fills_the_air, lowest_level
+from .lowest import LOWEST, fills_the_air, lowest_level
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .scales import EAST, NORTH, add_scales
 from .sea import is_sea, look_of_water
@@ -94,8 +94,10 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     """The field, the Earth below it, the scalar bar and the view."""
     on_globe = not is_map(grid)
     name = default_scalars(grid)[1] if scalars is None else scalars
-    if cell_dimension(grid) == 3 and not is_sea(grid) and fills_the_air(grid, name, options, VOLUME):
-        grid, of_volume = lowest_level(grid, name), title
+    if not follows(grid) and fills_the_air(grid, name, options, VOLUME):
+        grid = lowest_level(grid, name)
+    if LOWEST in grid.field_data:
+        of_volume = title
         title = lambda array: f"{of_volume(array)}\nlowest level"  # noqa: E731
     flat = cell_dimension(grid) < 3
     sea = not flat and is_sea(grid)
