@@ -183,7 +183,7 @@ class Ocean(unittest.TestCase):
         self.assertEqual(volume.prop.GetScalarOpacity().GetValue(0.0), 0)
 
     def test_air_is_neither_opaque_nor_seen_from_aside(self):
-        air = ocean(layers(), "ta", "air_temperature").assign_coords(depth=("depth", DEPTHS, {"units": "m", "positive": "up", "standard_name": "altitude"}))
+        air = ocean(layers(), "hus", "specific_humidity", units="g/kg").assign_coords(depth=("depth", DEPTHS, {"units": "m", "positive": "up", "standard_name": "altitude"}))
         plotter, _ = self.plotted(air)
         towards = np.array(plotter.camera.position) - plotter.camera.focal_point
         self.assertGreater(towards @ frames(-30.0, 30.0)[2], 0.99 * np.linalg.norm(towards))
