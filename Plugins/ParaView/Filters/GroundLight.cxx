@@ -8,6 +8,7 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace nephoscope
@@ -24,18 +25,26 @@ struct Place
   double Longitude, Latitude;
 };
 
+// Into an array: VTK 9.6 has no other form for a structured grid.
+std::array<int, 3> dimensionsOf(vtkStructuredGrid* grid)
+{
+  std::array<int, 3> dimensions;
+  grid->GetDimensions(dimensions.data());
+  return dimensions;
+}
+
 Place placeOf(vtkStructuredGrid* grid, int column, int row)
 {
   double x[3];
-  grid->GetPoint(static_cast<vtkIdType>(row) * grid->GetDimensions()[0] + column, x);
+  grid->GetPoint(static_cast<vtkIdType>(row) * dimensionsOf(grid)[0] + column, x);
   return { std::atan2(x[1], x[0]), std::asin(x[2] / vtkMath::Norm(x)) };
 }
 }
 
 GroundLight::GroundLight(vtkStructuredGrid* lit)
   : Irradiance(lit->GetPointData()->GetArray("Irradiance"))
-  , Columns(lit->GetDimensions()[0])
-  , Rows(lit->GetDimensions()[1])
+  , Columns(dimensionsOf(lit)[0])
+  , Rows(dimensionsOf(lit)[1])
 {
   const int middle = this->Rows / 2; // longitudes of a pole mean nothing
   const Place first = placeOf(lit, 0, middle);
