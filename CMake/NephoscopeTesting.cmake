@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-# Six ways to declare a test, and one to make it cheaper. Every test gets one or more labels: math, filter, image, plugin, parallel.
+# Six ways to declare a test. Every test gets one or more labels: math, filter, image, plugin, parallel.
 # Tests that draw need a display: `./nephoscope test` gives them a virtual one.
 #
 #   nephoscope_add_math_test(NAME SOURCE.cxx)            GoogleTest on headers alone
@@ -10,7 +10,6 @@
 #   nephoscope_add_python_test(SCRIPT.py LABELS... [ARGS...])       plain Python, package on its path; exit 0 passes
 #   nephoscope_add_softpipe_test(SCRIPT.py [CASES...])              those cases once more, on Mesa's software OpenGL 3.3 (slow: small pictures)
 #   nephoscope_add_egl_test(SCRIPT.py [CASES...])        those cases once more, without a display, where VTK has such windows: its wheel
-#   nephoscope_quick_shaders(TEST...)                    they draw small pictures with many shaders
 #
 # Tests with the property COST start first, the dearest before others: what takes long, or needs both processors or a lock, would keep a
 # processor idle at the end.
@@ -27,9 +26,9 @@ endif ()
 
 set(NEPHOSCOPE_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/Output")
 file(MAKE_DIRECTORY "${NEPHOSCOPE_TEST_OUTPUT}")
-# Mesa keeps compiled shaders even where there is no home, and memory that is used again and again is not given back: each saves a test
-# a quarter of its time or more.
-set(nephoscope_savings "MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/Testing/ShaderCache"
+# Mesa keeps compiled shaders even where there is no home, its software OpenGL compiles them without optimization, which takes longer than
+# small pictures do, and memory that is used again and again is not given back: each saves a test a quarter of its time or more.
+set(nephoscope_savings "MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/Testing/ShaderCache" "GALLIVM_PERF=nopt"
   "MALLOC_MMAP_THRESHOLD_=1000000000" "MALLOC_TRIM_THRESHOLD_=2000000000")
 set(NEPHOSCOPE_TEST_ENVIRONMENT
   "PYTHONPATH=${nephoscope_package_path}${PROJECT_SOURCE_DIR}/Testing/Python"
@@ -127,14 +126,6 @@ function (nephoscope_add_python_test script)
   add_test(NAME ${name} COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/${script}" ${arg_ARGS})
   set_tests_properties(${name} PROPERTIES
     LABELS "${arg_LABELS}" TIMEOUT 300 ENVIRONMENT "${NEPHOSCOPE_TEST_ENVIRONMENT}")
-endfunction ()
-
-# Mesa's software OpenGL compiles the shaders of these tests without optimization: they draw small pictures with many shaders, and a build
-# whose cache of shaders is empty would take most of their time to optimize what is drawn once.
-function (nephoscope_quick_shaders)
-  foreach (test IN LISTS ARGN)
-    set_property(TEST ${test} APPEND PROPERTY ENVIRONMENT "GALLIVM_PERF=nopt")
-  endforeach ()
 endfunction ()
 
 function (nephoscope_add_softpipe_test script)
