@@ -337,7 +337,7 @@ private:
   void WarnOfLimit();
   void WarnOfLeaving(const nephoscope::SmokeMesh& mesh, double diagonal);
   void WarnOfObstacles(const nephoscope::SmokeReport& report);
-  void WarnOfMissing(const nephoscope::FlowField& field);
+  bool WarnOfMissing(const nephoscope::FlowField& field);
   void WarnOfNothing(const nephoscope::SmokeReport& report);
 
   // For a time series; in vtkFlowVolumeUnsteady.cxx.

@@ -62,13 +62,17 @@ void vtkFlowVolume::MakeSteadyVolume(
     nephoscope::BuildWholeVolume(*field->Field, polygon, settings, anyTime, this->Duration == 0.0,
       coarser, [this](double share) { return this->Report(nephoscope::buildingShare * share); });
   this->ReportSteady(whole);
-  this->WarnOfLeaving(whole.Mesh, field->Diagonal);
+  const bool isMissing = this->WarnOfMissing(*field);
+  if (!this->Exchange().AnyTrue(isMissing)) // which explains why smoke ends
+  {
+    this->WarnOfObstacles(whole.Mesh.Report);
+    this->WarnOfLeaving(whole.Mesh, field->Diagonal);
+  }
   if (whole.IsCoarser && !whole.Mesh.Report.LimitReached && !whole.Mesh.Report.Stopped &&
     !whole.Mesh.Tetrahedra.empty())
   {
     this->WarnOfCoarsening(whole.PolygonEdgeLength, IsMuchCoarser(whole, settings, flow));
   }
-  this->WarnOfMissing(*field);
   this->WriteOutput(
     whole.Mesh,
     [&](const nephoscope::SmokeMesh& smoke, vtkPointData* arrays) {
@@ -125,7 +129,6 @@ void vtkFlowVolume::ReportSteady(const nephoscope::WholeVolume& whole)
   this->LostMass = this->InitialDensity * report.LostMass;
   this->ObstacleMass = this->InitialDensity * report.ObstacleMass;
   this->FoldedMass = this->InitialDensity * report.FoldedMass;
-  this->WarnOfObstacles(report);
   if (report.LimitReached)
   {
     this->WarnOfLimit();
@@ -223,11 +226,11 @@ void vtkFlowVolume::WarnOfLimit()
     << this->MaximumNumberOfTetrahedra << "). Allow more, or make the generating polygon simpler.");
 }
 
-void vtkFlowVolume::WarnOfMissing(const nephoscope::FlowField& field)
+bool vtkFlowVolume::WarnOfMissing(const nephoscope::FlowField& field)
 {
   if (!(this->LostMass > 0.0))
   {
-    return; // no smoke can have met one
+    return false; // no smoke can have met one
   }
   vtkIdType missing = 0, all = 0;
   for (vtkDataSet* set : nephoscope::DataSetsOf(field.Data))
@@ -255,6 +258,7 @@ void vtkFlowVolume::WarnOfMissing(const nephoscope::FlowField& field)
       << (field.Velocity.OnCells ? " cells" : " points")
       << ". Smoke that reaches them ends there. Replace the missing values if it should go on.");
   }
+  return missing > 0;
 }
 
 void vtkFlowVolume::WarnOfNothing(const nephoscope::SmokeReport& report)

@@ -161,8 +161,9 @@ void vtkSunRepresentation::WarnOfVolumes()
   if (isUnlit && !this->HasToldOfVolumes)
   {
     vtkWarningMacro(
-      "The sun lights surfaces, but no volume in this view: their data have no light yet. Apply Sunlight to them, after Cloud Optics if they "
-      "have no Extinction, and show its output.");
+      "The sun lights surfaces, but no volume in this view: their data have no light yet. For clouds apply Cloud Optics, if they have no Extinction, "
+      "and Sunlight; for the smoke of a Flow Volume apply Sunlight alone. Show its output. What is no medium, such as a temperature, needs no light: "
+      "hide the Sun, or leave it as it is.");
   }
   this->HasToldOfVolumes = isUnlit;
 }
