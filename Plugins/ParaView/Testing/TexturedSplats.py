@@ -109,6 +109,26 @@ def check_vectors_and_time(source):
     return view, display
 
 
+def check_few_steps():
+    """A series of so few steps that a whole number of periods would fit between two of them: streaks move from each to the next."""
+    for number in (2, 3, 5):
+        steps = f"times = [{', '.join(str(10.0 * i) for i in range(number))}]\ninformation = self.GetOutputInformation(0)\n"
+        series = pvs.ProgrammableFilter(Input=flow(), CopyArrays=1, Script="", RequestInformationScript=steps + "for key, values in "
+                                        "((self.GetExecutive().TIME_STEPS(), times), (self.GetExecutive().TIME_RANGE(), [times[0], times[-1]])):\n    information.Set(key, values, len(values))")
+        view = new_view()
+        display = compose(series, view, representation=SPLATS)
+        look(view, position=(0, 0, 100))
+        display.TexturedSplatsVectorArray = "Flow"
+        pictures = []
+        for step in range(number):
+            view.ViewTime = 10.0 * step
+            pictures.append(image(view))
+        for step, (before, after) in enumerate(zip(pictures, pictures[1:])):
+            moved = (np.abs(after - before).max(axis=2) > 10).mean()
+            check(moved > 0.05, f"{number} steps: from step {step} on {moved:.1%} of the picture change")
+        pvs.Delete(view)
+
+
 def check_true_speed(view, display, scene):
     """The way depends on the time and its scale; a whole loop is not the start; the key has words of its own."""
     display.TexturedSplatsPhase = 0
@@ -279,5 +299,6 @@ check_hierarchy_and_radius()
 check_vector_colors(flow())
 check_sizes()
 check_beside_translucent_surface()
+check_few_steps()
 check_reports()
 passed()

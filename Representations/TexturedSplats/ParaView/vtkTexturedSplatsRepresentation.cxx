@@ -20,18 +20,21 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <cmath>
 
 int vtkTexturedSplatsRepresentation::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->InputTimes[0] = this->InputTimes[1] = 0.0;
+  this->NumberOfInputTimes = 0;
   vtkInformation* input = inputVector[0]->GetNumberOfInformationObjects() == 1
     ? inputVector[0]->GetInformationObject(0)
     : nullptr;
   if (input && input->Has(vtkStreamingDemandDrivenPipeline::TIME_RANGE()))
   {
     input->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), this->InputTimes);
+    this->NumberOfInputTimes = input->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   }
   return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
@@ -187,7 +190,15 @@ double vtkTexturedSplatsRepresentation::GetPhaseNow()
 double vtkTexturedSplatsRepresentation::GetLoopTime() const
 {
   const double range = this->InputTimes[1] - this->InputTimes[0];
-  return this->LoopDuration > 0.0 ? this->LoopDuration : range > 0.0 ? range : 1.0;
+  if (this->LoopDuration > 0.0 || !(range > 0.0))
+  {
+    return this->LoopDuration > 0.0 ? this->LoopDuration : 1.0;
+  }
+  // With few steps, their pictures would find the streaks where they were.
+  constexpr double stepsOfPeriod = 4.0;
+  const double fewest = stepsOfPeriod * this->Mapper->GetPhaseCycles();
+  const int steps = this->NumberOfInputTimes - 1;
+  return steps > 0 ? range * std::max(1.0, fewest / steps) : range;
 }
 
 void vtkTexturedSplatsRepresentation::SetKernel(int kernel)

@@ -115,7 +115,7 @@ public:
   ///@{
   /**
    * Move the streaks on with the animation time: once through their loop in LoopDuration, in its unit; 0 (default): the time range of the
-   * data, or 1 where they have no times. Phase, 0 to 1, is added. Default: on, phase 0.
+   * data, longer if it has so few steps that a period of the fastest streaks would take less than four, or 1 where they have no times. Phase, 0 to 1, is added. Default: on, phase 0.
    */
   void SetMoveWithTime(bool move) { this->MoveWithTime = move; }
   bool GetMoveWithTime() const { return this->MoveWithTime; }
@@ -196,6 +196,7 @@ private:
   bool TrueSpeed = false;
   double TimeScale = 0.0;
   double InputTimes[2] = { 0.0, 0.0 }; // first and last
+  int NumberOfInputTimes = 0;
 };
 
 #endif
