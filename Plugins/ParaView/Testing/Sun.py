@@ -183,7 +183,7 @@ def check_volumes_without_light(messages):
         display.SetRepresentationType(representation)
         pvs.Render(view)
         pvs.Render(view)
-    check(len(messages) == 1 and "no volume in this view" in messages[0] and "Apply Sunlight" in messages[0], f"beside plain cells: {messages}")
+    check(len(messages) == 1 and "no volume in this view" in messages[0] and all(words in messages[0] for words in ("For clouds apply Cloud Optics", "apply Sunlight alone", "hide the Sun")), f"beside plain cells: {messages}")
     messages.clear()
     pvs.Show(pvs.Sunlight(Input=cloud()), view).SetRepresentationType("Cell Compositing")
     pvs.Render(view)
