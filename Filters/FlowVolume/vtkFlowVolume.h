@@ -336,7 +336,7 @@ private:
   void WarnOfLongEdges();
   void WarnOfLimit();
   void WarnOfLeaving(const nephoscope::SmokeMesh& mesh, double diagonal);
-  void WarnOfObstacles(const nephoscope::SmokeReport& report);
+  void WarnOfObstacles(const nephoscope::SmokeReport& report, bool isMissing);
   bool WarnOfMissing(const nephoscope::FlowField& field);
   void WarnOfNothing(const nephoscope::SmokeReport& report);
 

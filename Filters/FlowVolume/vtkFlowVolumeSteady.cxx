@@ -63,11 +63,8 @@ void vtkFlowVolume::MakeSteadyVolume(
       coarser, [this](double share) { return this->Report(nephoscope::buildingShare * share); });
   this->ReportSteady(whole);
   const bool isMissing = this->WarnOfMissing(*field);
-  if (!this->Exchange().AnyTrue(isMissing)) // which explains why smoke ends
-  {
-    this->WarnOfObstacles(whole.Mesh.Report);
-    this->WarnOfLeaving(whole.Mesh, field->Diagonal);
-  }
+  this->WarnOfObstacles(whole.Mesh.Report, this->Exchange().AnyTrue(isMissing));
+  this->WarnOfLeaving(whole.Mesh, field->Diagonal);
   if (whole.IsCoarser && !whole.Mesh.Report.LimitReached && !whole.Mesh.Report.Stopped &&
     !whole.Mesh.Tetrahedra.empty())
   {
@@ -175,7 +172,7 @@ void vtkFlowVolume::WarnOfLongEdges()
   }
 }
 
-void vtkFlowVolume::WarnOfObstacles(const nephoscope::SmokeReport& report)
+void vtkFlowVolume::WarnOfObstacles(const nephoscope::SmokeReport& report, bool isMissing)
 {
   constexpr double noticed = 0.01; // of the smoke
   const auto percent = [&](double mass) { return std::round(100.0 * mass / report.EmittedMass); };
@@ -189,7 +186,8 @@ void vtkFlowVolume::WarnOfObstacles(const nephoscope::SmokeReport& report)
     folded << ", and " << percent(report.FoldedMass) << " % where the flow would have folded it";
   }
   vtkWarningMacro("The volume lacks smoke: "
-    << percent(report.ObstacleMass) << " % of it ended at obstacles inside the data (ObstacleMass)"
+    << percent(report.ObstacleMass) << " % of it ended at "
+    << (isMissing ? "missing velocities or " : "") << "obstacles inside the data (ObstacleMass)"
     << folded.str()
     << ". A prism ends as a whole where one of its corners meets a body. For smaller prisms shorten MaximumEdgeLength (now "
     << this->MaximumEdgeLengthUsed

@@ -106,15 +106,16 @@ class Datasets(unittest.TestCase):
         self.assertTrue(np.isfinite(smoke.points).all())
         self.assertLessEqual(smoke.points[:, 2].max(), 0.25 + 1e-9)
 
-    def test_missing_values_are_no_obstacle(self):
-        """In the middle of the data, where bodies are: one message, which is not that of bodies."""
+    def test_missing_values_as_obstacles(self):
+        """In the middle of the data, where bodies are: they are told first, and named where the smoke that is lost is told."""
         data = cube(8)
         v = vtk_to_numpy(data.GetPointData().GetArray("Flow"))
         v[np.abs(meshes.points_of(data)[:, 2] - 0.3) < 0.2] = np.nan
         smoke, messages = update(flow_volume(data, **{**SETTINGS, "Duration": 2.0}))
         self.assertGreater(smoke.made.GetObstacleMass(), 0.05 * smoke.made.GetEmittedMass())
-        self.assertEqual(len(messages), 1)
+        self.assertEqual(len(messages), 2)
         self.assertIn("is not a finite number", messages[0])
+        self.assertIn("% of it ended at missing velocities or obstacles inside the data", messages[1])
 
     def test_far_from_the_origin(self):
         data = meshes.image((6, 6, 6), (1e6,) * 3, (1e9, 0, 0))
