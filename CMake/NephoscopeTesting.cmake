@@ -26,8 +26,8 @@ endif ()
 
 set(NEPHOSCOPE_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/Output")
 file(MAKE_DIRECTORY "${NEPHOSCOPE_TEST_OUTPUT}")
-# Mesa keeps compiled shaders even where there is no home, its software OpenGL compiles them without optimization, which takes longer than
-# small pictures do, and memory that is used again and again is not given back: each saves a test a quarter of its time or more.
+# Each saves a test a quarter of its time or more: Mesa keeps compiled shaders even where there is no home; its software OpenGL compiles
+# them without optimization, which would take longer than drawing small pictures; memory that is used again and again is not given back.
 set(nephoscope_savings "MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/Testing/ShaderCache" "GALLIVM_PERF=nopt"
   "MALLOC_MMAP_THRESHOLD_=1000000000" "MALLOC_TRIM_THRESHOLD_=2000000000")
 set(NEPHOSCOPE_TEST_ENVIRONMENT

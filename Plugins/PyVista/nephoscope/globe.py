@@ -45,6 +45,11 @@ def is_map(mesh: pyvista.DataSet) -> bool:
     return str(np.ravel(mesh.field_data.get("GlobeGridProjection", ["globe"]))[0]).lower() in ("1", "1.0", "map")
 
 
+def planet_radius(mesh: pyvista.DataSet) -> float:
+    """The radius in metres of the planet whose globe or map the mesh lies on; that of the Earth for other meshes."""
+    return float(np.ravel(mesh.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+
+
 def to_globe(mesh: pyvista.DataSet, *, projection: Literal["globe", "map"] = "globe", radius: float = EARTH_RADIUS,
              vertical_exaggeration: float = 1.0, height: str | Literal[False] | None = None,
              wind: Sequence[str] | Literal[False] | None = None, vertical_wind_is_omega: bool | None = None,

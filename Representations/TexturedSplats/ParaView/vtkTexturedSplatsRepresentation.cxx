@@ -190,15 +190,22 @@ double vtkTexturedSplatsRepresentation::GetPhaseNow()
 double vtkTexturedSplatsRepresentation::GetLoopTime() const
 {
   const double range = this->InputTimes[1] - this->InputTimes[0];
-  if (this->LoopDuration > 0.0 || !(range > 0.0))
-  {
-    return this->LoopDuration > 0.0 ? this->LoopDuration : 1.0;
-  }
-  // With few steps, their pictures would find the streaks where they were.
-  constexpr double stepsOfPeriod = 4.0;
-  const double fewest = stepsOfPeriod * this->Mapper->GetPhaseCycles();
   const int steps = this->NumberOfInputTimes - 1;
-  return steps > 0 ? range * std::max(1.0, fewest / steps) : range;
+  if (this->LoopDuration > 0.0)
+  {
+    return this->LoopDuration;
+  }
+  if (!(range > 0.0))
+  {
+    return 1.0;
+  }
+  if (steps < 1)
+  {
+    return range;
+  }
+  // If a period took a single step, the streaks would be in the same place at each step.
+  constexpr double stepsOfPeriod = 4.0;
+  return range * std::max(1.0, stepsOfPeriod * this->Mapper->GetPhaseCycles() / steps);
 }
 
 void vtkTexturedSplatsRepresentation::SetKernel(int kernel)

@@ -9,7 +9,7 @@ import numpy as np
 import pyvista
 
 from .._fields import preset_of_field
-from ..globe import EARTH_RADIUS, is_map
+from ..globe import is_map, planet_radius
 from .prisms import HIDDEN_POINT
 from .sea import is_sea
 
@@ -43,5 +43,4 @@ def lowest_level(grid: pyvista.StructuredGrid, name: str) -> pyvista.StructuredG
 def _on_the_ground(grid: pyvista.DataSet, points: np.ndarray) -> np.ndarray:
     if is_map(grid):
         return points * (1, 1, 0)
-    radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
-    return points * radius / np.linalg.norm(points, axis=1)[:, None]
+    return points * planet_radius(grid) / np.linalg.norm(points, axis=1)[:, None]

@@ -190,7 +190,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         names = [self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())]
         file = os.path.join(self._folder.name, "mesh.vtk")
         self._ask(do="mesh", file=file, step=None if self._times is None else step, levels=list(self._settings["levels"]),
-                          variables=[name for name in names if self._selection.ArrayIsEnabled(name)], options=self._settings["globe"])
+                  variables=[name for name in names if self._selection.ArrayIsEnabled(name)], options=self._settings["globe"])
         reader = vtkDataSetReader()
         reader.SetFileName(file)
         reader.ReadAllScalarsOn()

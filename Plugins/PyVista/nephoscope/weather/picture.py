@@ -13,7 +13,7 @@ from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .._over_time import follows
 from ..cells import add_cells
-from ..globe import EARTH_RADIUS, globe_surface, is_map
+from ..globe import EARTH_RADIUS, globe_surface, is_map, planet_radius
 from .bars import finish_bars, make_room
 from .horizontal import GridError, section
 from .look import surface_look, with_share
@@ -164,7 +164,7 @@ def _add_map(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: b
     (west, south, bottom), (east, north, top) = points.min(axis=0), points.max(axis=0)
     step = 0.001 * max(east - west, north - south)
     ground = bottom - step if flat or sea else 0.0
-    radius = _radius_of(grid)
+    radius = planet_radius(grid)
     edges = tuple(np.degrees(np.array([west, east, south, north]) / radius))
     add_ground(plotter, map_ground(edges, radius, ground))
     if flat or sea:
@@ -209,11 +209,7 @@ def _limits_of_map(grid: pyvista.DataSet) -> np.ndarray | None:
 
 def _shorter(grid: pyvista.DataSet, limits: np.ndarray) -> float:
     """The length of a degree of longitude in the middle of a map, over that at the equator."""
-    return max(float(np.cos(limits[:, 1].mean() / _radius_of(grid))), 0.05)
-
-
-def _radius_of(grid: pyvista.DataSet) -> float:
-    return float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+    return max(float(np.cos(limits[:, 1].mean() / planet_radius(grid))), 0.05)
 
 
 def _finish_map(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, limits: np.ndarray) -> None:
@@ -222,7 +218,7 @@ def _finish_map(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, limits: np.
     for actor in plotter.renderer.actors.values():
         if isinstance(actor, vtkProp3D):
             actor.SetScale(shorter, 1, 1)
-    degree = np.radians(1.0) * _radius_of(grid)
+    degree = np.radians(1.0) * planet_radius(grid)
     add_scales(plotter, limits.T.ravel(), "z", {"x": (EAST, degree * shorter), "y": (NORTH, degree)})
 
 

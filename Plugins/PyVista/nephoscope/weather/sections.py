@@ -8,7 +8,7 @@ from typing import Any, Dict, Tuple
 import numpy as np
 import pyvista
 
-from ..globe import EARTH_RADIUS, is_map
+from ..globe import EARTH_RADIUS, is_map, planet_radius
 from .scales import meridian, parallel
 from .sea import is_sea
 
@@ -65,7 +65,7 @@ def _extent(values: np.ndarray) -> float:
 def _places(grid: pyvista.StructuredGrid) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Longitudes and latitudes in degrees and exaggerated heights in metres, each in rows of one level."""
     points = np.asarray(grid.points, float).reshape(grid.dimensions[2], -1, 3)
-    radius = float(np.ravel(grid.field_data.get("PlanetRadius", [EARTH_RADIUS]))[0])
+    radius = planet_radius(grid)
     x, y, z = np.moveaxis(points, -1, 0)
     if is_map(grid):
         return np.degrees(x / radius), np.degrees(y / radius), z

@@ -41,7 +41,7 @@ def _same_axis(a, b) -> bool:
 
 
 def _on_faces(sizes, shape, dims) -> bool:
-    return any(map(is_staggered, shape)) and all(a == b or abs(sizes[a] - sizes[b]) <= _same_axis(a, b) or abs(sizes[a] - sizes[b]) == 1 for a, b in zip(shape, dims))
+    return any(map(is_staggered, shape)) and all(abs(sizes[a] - sizes[b]) <= 1 for a, b in zip(shape, dims))
 
 
 def to_centres(dataset, array, wanted: list[str]):
