@@ -21,6 +21,7 @@ from ._exports import warn_when_exported
 from ._fields import find_preset, is_bright, is_helper, presets
 from ._from_xarray import meshed
 from ._frames import warn_of_other_frames
+from ._globe_camera import look_at_region
 from ._outliers import warn_of_fill_values
 from ._over_time import densest, values_over_time
 from ._pipeline import level_of_caller, warn_when_drawing
@@ -458,7 +459,6 @@ def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista
     _warn_of_camouflage(plotter, mapper.lookup_table)
     plotter.add_actor(volume, **actor_options)
     if actor_options.get("reset_camera") is None and user_matrix is None and not plotter.renderer.camera.is_set:
-        from .weather.view import look_at_region
         look_at_region(plotter, mapper.dataset)
     warn_when_exported(plotter)
     plotter.mapper = mapper  # as in add_volume: later calls without a mapper refer to the last one added

@@ -10,6 +10,7 @@ import pyvista
 from vtkmodules.vtkRenderingCore import vtkProp3D
 
 from .._blocks import cell_dimension
+from .._globe_camera import look_down
 from .._medium import association_of, default_scalars
 from .._over_time import follows
 from ..cells import add_cells
@@ -21,7 +22,7 @@ from .lowest import LOWEST, fills_the_air, lowest_level
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .scales import EAST, NORTH, add_scales
 from .sea import is_sea, look_of_water
-from .view import PicturePlotter, finish, is_place, look_down, picture_theme, set_view, size_of
+from .view import PicturePlotter, finish, is_place, picture_theme, set_view, size_of
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
