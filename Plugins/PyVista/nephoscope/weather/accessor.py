@@ -4,8 +4,7 @@
 from __future__ import annotations
 
 import warnings
-from functools import partial
-from typing import TYPE_CHECKING, Any, Callable, Sequence
+from typing import TYPE_CHECKING, Any, Sequence
 
 import numpy as np
 
@@ -54,6 +53,11 @@ class WeatherAccessor:
         reading = Reading(self._dataset, time=time, vertical=vertical, names=roles)
         return reading, Air(reading)
 
+    def _reading(self, time, options):
+        """Reads one time step, by default the first, with the options of `globe`."""
+        from .reading import Reading
+        return Reading(self._dataset, time=0 if time is None else time, vertical=options.get("vertical"), names=_options(options)[0])
+
     def _of_field(self, name, time, options):
         """Returns the array that `name` means, and the options that select it."""
         if name is None:
@@ -64,11 +68,10 @@ class WeatherAccessor:
             return found, {**more, **options} if not {"variables", "derive"} & set(options) else options
         from .naming import named
         from .vertical import axis_of
-        roles, _ = _options(options)
-        reading = self._understood(0 if time is None else time, options.get("vertical"), roles)[0]
+        reading = self._reading(time, options)
         if "vertical" not in options and (own := axis_of(reading, name)):  # another than most variables have
             options = {**options, "vertical": own}
-            reading = self._understood(0 if time is None else time, own, roles)[0]
+            reading = self._reading(time, options)
         found, more = named(reading, name)
         return found, {**more, **options} if not {"variables", "derive"} & set(options) else options
 
@@ -275,54 +278,11 @@ class WeatherAccessor:
         pyvista.Plotter
             The plotter, after it has been shown. After ``screenshot`` it can draw further pictures: set ``plotter.camera_position``, and call ``plotter.screenshot("other.png")``.
         """
-        from .._medium import require_plotter
-        from .exaggeration import USUAL, suited
-        from .flat_picture import plotted_section
-        from .naming import refuse_unknown, title
-        from .picture import plotted
-        from .sections import as_section, axis_of_section
-        from .view import picture_plotter
-        if plotter is not None:
-            require_plotter(plotter)
-            if window_size is not None or background is not None:
-                raise TypeError(f"{'background' if window_size is None else 'window_size'}: an option of a new picture, but plotter is given. Set it there: plotter.background_color or plotter.window_size.")
-        new_plotter = (lambda: plotter) if plotter is not None else partial(picture_plotter, screenshot is not None, window_size or (800, 800), background)
-        look = {k: v for k, v in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if v is not None}
+        from .plotting import Plot, plotted
+        from .view import Frame
+        look = {name: value for name, value in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if value is not None}
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}
-        if self._is_flat(options):
-            return self._plotted_flat(scalars, screenshot, new_plotter, view, plotter is None, look, vertical_exaggeration, {"time": time, **options})
-        plot_other = lambda dataset: WeatherAccessor(dataset).plot(scalars, time=time, screenshot=screenshot, vertical_exaggeration=vertical_exaggeration, window_size=window_size, view=view, background=background, plotter=plotter, **look, **options)  # noqa: E731
-        if (section := as_section(self._dataset)) is not self._dataset:
-            return plot_other(section)
-        refuse_unknown("plot", options, (*GLOBE, "screenshot", "scalars", "window_size", "view", "background", "plotter", *LOOK_OF_PLOT))
-        if "sun" not in look and (level := self._of_one_level(scalars, time, options)) is not None:
-            return plot_other(level)
-        found, of_field = self._of_field(scalars, time, options)
-        lit = "sun" in look  # needs all water and the air
-        make = lambda factor: self.globe(time=time, vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731
-        grid = suited(make, USUAL) if vertical_exaggeration is None else make(vertical_exaggeration)
-        if lit:
-            from .in_the_sun import sun_of
-            look["sun"], found = sun_of(look["sun"], self._understood(0 if time is None else time, options.get("vertical"), _options(options)[0])[0], grid), None
-        draw = plotted_section if axis_of_section(grid) else partial(plotted, fitted=window_size is None and plotter is None)
-        return draw(grid, found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view, shown=plotter is None)
-
-    def _of_one_level(self, scalars: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any]) -> xarray.Dataset | None:
-        """The dataset without levels, and without fields on other grids, where a field without them is wanted that is beside others; otherwise None."""
-        from .horizontal import is_latitude, is_longitude
-        if scalars not in self._dataset.data_vars or "vertical" in options:
-            return None
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # who reads the field will tell
-            reading = self._understood(0 if time is None else time, None, _options(options)[0])[0]
-        field = reading.dataset.data_vars.get(scalars)
-        if field is None or field.ndim < len(reading.horizontal.dims) or reading.vertical is not None and reading.vertical.dim in field.dims or scalars in dict(reading.field_variables()):
-            return None
-        level = self._dataset if reading.vertical is None else self._dataset.drop_dims(reading.vertical.dim)
-        if set(field.dims) == set(reading.horizontal.dims):
-            return level
-        own = set(self._dataset[scalars].dims)
-        return level.drop_vars([name for name, variable in level.data_vars.items() if variable.ndim and not set(variable.dims) <= own and not is_longitude(str(name), variable) and not is_latitude(str(name), variable)])
+        return plotted(Plot(self._dataset, scalars, time, vertical_exaggeration, look, Frame(screenshot, window_size, view, background, plotter), options))
 
     def _exaggeration(self, options: dict[str, Any]) -> float:
         """What suits a picture of the first step."""
@@ -335,20 +295,6 @@ class WeatherAccessor:
     def _is_flat(self, options: dict[str, Any]) -> bool:
         from .flat import is_flat
         return bool({"x", "y", "z"} & set(options)) or is_flat(self._dataset)
-
-    def _plotted_flat(self, scalars: str | None, screenshot: str | None, new_plotter: Callable[[], pyvista.Plotter], view: Any, shown: bool, look: dict[str, Any], exaggeration: float | None, options: dict[str, Any]) -> pyvista.Plotter:
-        from .exaggeration import suited
-        from .flat_picture import plotted_flat
-        from .naming import title
-        unknown = [name for name in options if name not in FLAT]
-        if unknown:
-            raise TypeError(f"plot() has no option {unknown[0]!r} for this dataset, whose x and y are lengths. It takes {', '.join(FLAT)}, scalars, screenshot, view, window_size, background, plotter, "
-                            f"{', '.join(LOOK_OF_PLOT)}.")
-        found, of_field = self._of_field(scalars, None, options)
-        lit = "sun" in look  # needs all water and the air
-        make = lambda factor: self.grid(vertical_exaggeration=factor, **(options if lit else of_field))  # noqa: E731
-        grid = suited(make, 1.0) if exaggeration is None else make(exaggeration)
-        return plotted_flat(grid, None if lit else found, screenshot, look, lambda name: title(self._dataset, grid, name), new_plotter, view, shown)
 
     def _flat_column(self, quantity: str, time: Any, options: dict[str, Any]) -> pyvista.DataSet:
         from .flat import Flat

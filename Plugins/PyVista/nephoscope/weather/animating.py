@@ -23,6 +23,7 @@ from .dataset_series import DatasetSeries
 from .lowest import fills_the_air
 from .lowest_series import LowestSeries
 from .mesh_series import MeshSeries, is_meshes, mesh_series
+from .one_level import one_level
 from .section_series import SectionSeries
 from .sections import as_section, axis_of_section
 from .series import Series
@@ -131,7 +132,7 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
     found = opened(dataset)
     section = as_section(found)
     if isinstance(draw, str):
-        if not section.nephoscope._is_flat(options) and (level := section.nephoscope._of_one_level(draw, 0, options)) is not None:
+        if not section.nephoscope._is_flat(options) and (level := one_level(section, draw, 0, options)) is not None:
             section = level
         draw, options = section.nephoscope._of_field(draw, 0, options)
     if whole and "vertical_exaggeration" not in options:

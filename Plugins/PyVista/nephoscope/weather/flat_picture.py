@@ -3,7 +3,7 @@
 """The first picture of a flat grid: a volume over its ground, or a level or section with axes."""
 from __future__ import annotations
 
-from typing import Any, Callable
+from typing import Callable
 
 import numpy as np
 import pyvista
@@ -17,33 +17,30 @@ from .picture import BESIDE, refuse_volume, without_missing
 from .scales import add_scales
 from .section_ground import LAND, ground_of, visible
 from .sections import unrolled
-from .view import PicturePlotter, finish, set_view, size_of
+from .view import Frame, set_view, size_of
 
 GROUND = (0.06, 0.13, 0.2)
 FACING = {"x": (1, 0, 0), "y": (0, -1, 0), "z": (0, 0, 1)}  # where to look from at a section, by the axis that it lacks
 WIDE, HIGH = 0.66, 0.78  # of the picture, for a section beside its labels and the scalar bar
 
 
-def plotted_flat(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-                 new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None, shown: bool = True) -> pyvista.Plotter:
+def plotted_flat(grid: pyvista.DataSet, scalars: str | None, frame: Frame, options: dict, title: Callable[[str], str] = str) -> pyvista.Plotter:
     """`title`: that of the scalar bar, for the name of an array."""
-    grid = without_missing(grid, scalars)
-    plotter = new_plotter()
-    draw_flat(plotter, grid, scalars, options, title)
-    if view is not None:
+    plotter = frame.begin()
+    draw_flat(plotter, without_missing(grid, scalars), scalars, options, title)
+    if frame.view is not None:
         plotter.camera.view_angle = 30  # PyVista's
-        set_view(plotter, view)
-    return finish(plotter, screenshot, shown)
+        set_view(plotter, frame.view)
+    return frame.finish(plotter)
 
 
-def plotted_section(grid: pyvista.StructuredGrid, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str],
-                    new_plotter: Callable[[], pyvista.Plotter], view: Any, shown: bool = True) -> pyvista.Plotter:
+def plotted_section(grid: pyvista.StructuredGrid, scalars: str | None, frame: Frame, options: dict, title: Callable[[str], str]) -> pyvista.Plotter:
     """A section of the globe, by latitude, longitude or distance and height."""
-    plotter = new_plotter()
+    plotter = frame.begin()
     draw_section(plotter, *unrolled(grid, shape_of_section(plotter)), scalars, options, title)
-    if view is not None:
-        set_view(plotter, view)
-    return finish(plotter, screenshot, shown)
+    if frame.view is not None:
+        set_view(plotter, frame.view)
+    return frame.finish(plotter)
 
 
 def shape_of_section(plotter: pyvista.BasePlotter) -> float:

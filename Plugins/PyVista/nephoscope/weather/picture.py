@@ -22,7 +22,7 @@ from .lowest import LOWEST, fills_the_air, lowest_level
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .scales import EAST, NORTH, add_scales
 from .sea import is_sea, look_of_water
-from .view import PicturePlotter, finish, is_place, picture_theme, set_view, size_of
+from .view import Frame, is_place, picture_theme, set_view, size_of
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
@@ -34,16 +34,15 @@ LABELS = 0.08  # of the width of the picture, at its left edge, for the degrees 
 MARGIN = 0.04  # of the width and of the height, around a map
 
 
-def plotted(grid: pyvista.DataSet, scalars: str | None, screenshot: str | None, options: dict, title: Callable[[str], str] = str,
-            new_plotter: Callable[[], pyvista.Plotter] = PicturePlotter, view: Any = None, fitted: bool = False, shown: bool = True) -> pyvista.Plotter:
-    """`title`: that of the scalar bar, for the name of an array. `fitted`: a map that is wide makes the window lower. `shown`: the plotter shows it."""
+def plotted(grid: pyvista.DataSet, scalars: str | None, frame: Frame, options: dict, title: Callable[[str], str] = str) -> pyvista.Plotter:
+    """`title`: that of the scalar bar, for the name of an array. A map that is wide makes a new window lower."""
     refuse_sections(grid)
     grid = without_missing(grid, scalars)
-    plotter = new_plotter()
-    if fitted and is_map(grid) and (limits := _limits_of_map(grid)) is not None:
+    plotter = frame.begin()
+    if frame.is_free and is_map(grid) and (limits := _limits_of_map(grid)) is not None:
         plotter.window_size = _window_of_map(plotter.window_size[0], limits)
-    draw(plotter, grid, scalars, options, title, view)
-    return finish(plotter, screenshot, shown)
+    draw(plotter, grid, scalars, options, title, frame.view)
+    return frame.finish(plotter)
 
 
 def without_missing(grid: pyvista.DataSet, scalars: str | None) -> pyvista.DataSet:

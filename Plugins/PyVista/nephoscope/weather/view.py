@@ -1,14 +1,15 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plotter of a picture of weather data: its theme, its size, the camera that the user wants, and what it shows at the end."""
+"""The frame of a picture of weather data: its plotter, theme, size and file, and the camera that the user wants."""
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, Sequence
 
 import numpy as np
 import pyvista
 
-from .._medium import readable
+from .._medium import readable, require_plotter
 
 
 class PicturePlotter(pyvista.Plotter):
@@ -38,24 +39,10 @@ def picture_theme(background: Any = None) -> pyvista.themes.Theme:
     return theme
 
 
-def picture_plotter(off_screen: bool, window_size: Sequence[int], background: Any) -> PicturePlotter:
-    """An empty plotter for a picture; see `picture_theme`."""
-    return PicturePlotter(off_screen=off_screen, theme=picture_theme(background), window_size=window_size)
-
-
 def size_of(plotter: pyvista.BasePlotter) -> tuple[float, float]:
     """Width and height of the active sub-plot in pixels."""
     left, bottom, right, top = plotter.renderer.GetViewport()
     return plotter.window_size[0] * (right - left), plotter.window_size[1] * (top - bottom)
-
-
-def finish(plotter: pyvista.Plotter, screenshot: str | None, shown: bool) -> pyvista.Plotter:
-    """Shows the picture, unless the plotter is that of the user, and writes it into the file."""
-    if shown:
-        plotter.show(screenshot=screenshot or False, auto_close=False)
-    elif screenshot:
-        plotter.screenshot(screenshot)
-    return plotter
 
 
 def is_place(view: Any) -> bool:
@@ -72,3 +59,46 @@ def set_view(plotter: pyvista.BasePlotter, view: Any) -> None:
     except (TypeError, ValueError, AttributeError) as error:
         raise ValueError(f"view is {view!r}; it must be a longitude and latitude, for a globe, or a camera position of PyVista, such as 'xy' or [position, focal point, upward direction].") from error
     plotter.reset_camera_clipping_range()
+
+
+@dataclass(frozen=True)
+class Frame:
+    """Where a picture goes, as the options of `plot` say: into a window, into a file, or into the active sub-plot of the user's plotter.
+
+    Raises
+    ------
+    TypeError
+        If `plotter` is none, or if it is given beside an option of a new picture.
+    """
+    screenshot: str | None = None
+    window_size: Sequence[int] | None = None
+    view: Any = None
+    background: Any = None
+    plotter: pyvista.Plotter | None = None
+
+    def __post_init__(self) -> None:
+        if self.plotter is None:
+            return
+        require_plotter(self.plotter)
+        if self.window_size is not None or self.background is not None:
+            option = "background" if self.window_size is None else "window_size"
+            raise TypeError(f"{option}: an option of a new picture, but plotter is given. Set it there: plotter.background_color or plotter.window_size.")
+
+    @property
+    def is_free(self) -> bool:
+        """Whether the window may take the shape of what it shows."""
+        return self.plotter is None and self.window_size is None
+
+    def begin(self) -> pyvista.Plotter:
+        """The user's plotter, or an empty one; see `picture_theme`."""
+        if self.plotter is not None:
+            return self.plotter
+        return PicturePlotter(off_screen=self.screenshot is not None, theme=picture_theme(self.background), window_size=self.window_size or (800, 800))
+
+    def finish(self, plotter: pyvista.Plotter) -> pyvista.Plotter:
+        """Shows the picture, unless the plotter is the user's, and writes it into the file."""
+        if self.plotter is None:
+            plotter.show(screenshot=self.screenshot or False, auto_close=False)
+        elif self.screenshot:
+            plotter.screenshot(self.screenshot)
+        return plotter

@@ -1,0 +1,44 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Fields of one level, such as a pressure at the ground, in datasets that have others with levels."""
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .accessor import WeatherAccessor
+from .horizontal import is_latitude, is_longitude
+
+if TYPE_CHECKING:
+    import xarray
+
+    from .reading import Reading
+
+
+def one_level(dataset: xarray.Dataset, name: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any]) -> xarray.Dataset | None:
+    """The dataset without levels, and without fields on other grids, if `name` is a field without levels beside others that have them; otherwise None."""
+    if name not in dataset.data_vars or "vertical" in options:
+        return None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # who reads the field will tell
+        reading = WeatherAccessor(dataset)._reading(time, options)
+    if name not in reading.dataset.data_vars or not _is_beside_others(reading, name):
+        return None
+    level = dataset if reading.vertical is None else dataset.drop_dims(reading.vertical.dim)
+    return level if set(reading.dataset[name].dims) == set(reading.horizontal.dims) else _on_grid_of(level, name)
+
+
+def _is_beside_others(reading: Reading, name: str) -> bool:
+    """Whether the field covers a grid, has no levels, and is none of the fields that are put on the mesh of the dataset."""
+    dims = reading.dataset[name].dims
+    has_levels = reading.vertical is not None and reading.vertical.dim in dims
+    return len(dims) >= len(reading.horizontal.dims) and not has_levels and name not in dict(reading.field_variables())
+
+
+def _on_grid_of(dataset: xarray.Dataset, name: str) -> xarray.Dataset:
+    """The dataset without the variables that have a dimension which the field has not; its longitudes and latitudes stay."""
+    own = set(dataset[name].dims)
+    stays = lambda other, variable: set(variable.dims) <= own or is_longitude(str(other), variable) or is_latitude(str(other), variable)  # noqa: E731
+    return dataset.drop_vars([other for other, variable in dataset.data_vars.items() if not stays(other, variable)])
