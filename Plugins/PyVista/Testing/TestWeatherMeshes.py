@@ -244,6 +244,57 @@ class PointsAlone(unittest.TestCase):
             dataset.isel(nCells=slice(0, 192)).nephoscope.globe()
 
 
+class LowestLevel(unittest.TestCase):
+    """A temperature is drawn in the lowest cell or point of each column above the ground, at the ground; with an opacity it is a volume."""
+
+    def datasets(self):
+        mesh, (lon, lat), (x, y) = ugrid()
+        return {"icon": icon(2), "mpas": mpas(2), "points": points_alone(2), "faces": xr.Dataset(mesh | fields(lon, lat, "face")), "nodes": xr.Dataset(mesh | fields(x, y, "node"))}
+
+    def with_temperature(self, dataset):
+        """10 K warmer with each level, 1 K with each degree to the north, over a plain in the south and a plateau above the lowest level in the north."""
+        (level,) = [dim for dim in dataset["where"].dims if dataset.sizes[dim] == 3]
+        warmer = xr.DataArray(10.0 * np.arange(3), dims=level)
+        north = dataset["where"].isel({level: 0})
+        return dataset.assign(ta=(250 + dataset["where"] + warmer).assign_attrs(units="K", standard_name="air_temperature"),
+                              orog=xr.where(north > 0, 1500.0, 0.0).assign_attrs(units="m", standard_name="surface_altitude")), north.values
+
+    def plotted(self, dataset, **options):
+        with tempfile.TemporaryDirectory() as folder:
+            plotter = dataset.nephoscope.plot("ta", screenshot=str(Path(folder, "a.png")), window_size=(60, 60), **options)
+        self.addCleanup(plotter.close)
+        return plotter
+
+    def test_a_surface_of_the_lowest_level(self):
+        for name, dataset in self.datasets().items():
+            with self.subTest(name):
+                data, north = self.with_temperature(dataset)
+                plotter = self.plotted(data)
+                sheet = next(actor.mapper.dataset for actor in plotter.renderer.actors.values() if "LowestLevel" in getattr(getattr(actor.mapper, "dataset", None), "array_names", ()))
+                self.assertEqual(sheet.n_cells, data.nephoscope.globe().n_cells // (3 if "ta" in sheet.cell_data else 2))
+                np.testing.assert_allclose(sheet["ta"], 250 + north + 10 * (north > 0), atol=1e-3)
+                np.testing.assert_allclose(np.linalg.norm(sheet.points, axis=1), 6371000, atol=1)
+                self.assertAlmostEqual(sheet.extract_surface(algorithm=None).area / (4 * np.pi * 6371000 ** 2), 1, delta=0.07)  # but for the chords
+                self.assertIn("lowest level", next(iter(plotter.scalar_bars.values())).GetTitle())
+
+    def test_a_volume_where_one_is_asked_for(self):
+        data, _ = self.with_temperature(icon(2))
+        self.assertEqual(self.plotted(data, opacity="linear").renderer.GetVolumes().GetNumberOfItems(), 1)
+
+    def test_films(self):
+        """The colours are those of the level in all steps."""
+        first, north = self.with_temperature(mpas(2))
+        data = xr.concat([first, first.assign(ta=(first.ta + 5).assign_attrs(first.ta.attrs))], "time", data_vars=["ta"]).assign_coords(time=np.array(["2020-01-01", "2020-01-02"], "M8[ns]"))
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        series = nephoscope.animate(plotter, data, "ta")
+        self.addCleanup(series.close)
+        series.show(1)
+        expected = 250 + north + 10 * (north > 0)
+        np.testing.assert_allclose(series.mesh["ta"], expected + 5, atol=1e-3)
+        np.testing.assert_allclose(series.range("ta"), (expected.min(), expected.max() + 5), atol=1e-3)
+
+
 class Projections(unittest.TestCase):
     CASES = {
         "polar_stereographic": {"gridType": "polar_stereographic", "Nx": 30, "Ny": 30, "latitudeOfFirstGridPointInDegrees": 30, "longitudeOfFirstGridPointInDegrees": 230, "LaDInDegrees": 60,

@@ -10,7 +10,7 @@ import pyvista
 
 from .._fields import preset_of_field
 from ..globe import is_map, planet_radius
-from .prisms import HIDDEN_POINT
+from .prisms import HIDDEN_CELL, HIDDEN_POINT, are_columns, bases, size_of_level
 from .sea import is_sea
 
 LOWEST = "LowestLevel"  # field array of such a level
@@ -18,25 +18,39 @@ FILLING = ("temperature",)  # presets of such fields
 
 
 def fills_the_air(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
-    """Whether a picture of the point array `name` of a volume is better one of its lowest level, unless one of the `options` is `of_volumes` or the opacity."""
+    """Whether a picture of the array `name` of a volume is better one of its lowest level, unless one of the `options` is `of_volumes` or the opacity. A structured grid has the array on points."""
+    has_levels = min(grid.dimensions) > 1 and name in grid.point_data if isinstance(grid, pyvista.StructuredGrid) else are_columns(grid)
+    if not has_levels or is_sea(grid) or any(option in options for option in ("opacity", *of_volumes)):
+        return False
     preset = preset_of_field(name, grid)
-    return (isinstance(grid, pyvista.StructuredGrid) and min(grid.dimensions) > 1 and name in grid.point_data and preset is not None and preset.name in FILLING and not is_sea(grid)
-            and not any(option in options for option in ("opacity", *of_volumes)))
+    return preset is not None and preset.name in FILLING
 
 
-def lowest_level(grid: pyvista.StructuredGrid, name: str) -> pyvista.StructuredGrid:
-    """The values of the point array `name` in the lowest point of each column that is above the ground and has one, at the height 0 of the globe or the map."""
-    columns, rows, levels = grid.dimensions
-    values = np.asarray(grid.point_data[name]).reshape(levels, -1)
-    hidden = np.asarray(grid.point_data.get("vtkGhostType", np.zeros(grid.n_points, np.uint8))).reshape(levels, -1) & HIDDEN_POINT > 0
+def lowest_level(grid: pyvista.StructuredGrid | pyvista.UnstructuredGrid, name: str) -> pyvista.StructuredGrid | pyvista.UnstructuredGrid:
+    """The values of the array `name` in the lowest point or cell of each column that is above the ground and has one, at the height 0 of the globe or the map.
+    `grid`: structured, with the array on points, or as `place_columns` makes it."""
+    on_points = name in grid.point_data
+    data, mark = (grid.point_data, HIDDEN_POINT) if on_points else (grid.cell_data, HIDDEN_CELL)
+    points, cells = (grid.dimensions[0] * grid.dimensions[1], 0) if isinstance(grid, pyvista.StructuredGrid) else size_of_level(grid)
+    columns = np.arange(points if on_points else cells)
+    values = np.asarray(data[name]).reshape(-1, len(columns))
+    hidden = np.asarray(data.get("vtkGhostType", np.zeros(values.size, np.uint8))).reshape(values.shape) & mark > 0
     there = np.isfinite(values) & ~hidden
     first = np.argmax(there, axis=0)
-    sheet = pyvista.StructuredGrid()
-    sheet.points = _on_the_ground(grid, np.asarray(grid.points, float).reshape(levels, -1, 3)[first, np.arange(columns * rows)])
-    sheet.dimensions = (columns, rows, 1)
-    sheet.point_data[name] = np.where(there.any(axis=0), values[first, np.arange(columns * rows)], np.nan)
+    places = np.asarray(grid.points, float).reshape(-1, points, 3)
+    sheet = _level(grid, cells, _on_the_ground(grid, places[first, columns] if on_points else places[0]))
+    (sheet.point_data if on_points else sheet.cell_data)[name] = np.where(there.any(axis=0), values[first, columns], np.nan)
     sheet.GetFieldData().ShallowCopy(grid.GetFieldData())
     sheet.field_data[LOWEST] = [1]
+    return sheet
+
+
+def _level(grid: pyvista.DataSet, cells: int, points: np.ndarray) -> pyvista.StructuredGrid | pyvista.UnstructuredGrid:
+    """The lowest level of the grid, with these points. `cells`: their number in a level of columns."""
+    if not isinstance(grid, pyvista.StructuredGrid):
+        return bases(grid, cells, points)
+    sheet = pyvista.StructuredGrid()
+    sheet.points, sheet.dimensions = points, (*grid.dimensions[:2], 1)
     return sheet
 
 

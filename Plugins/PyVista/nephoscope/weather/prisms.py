@@ -113,6 +113,34 @@ def columns(corners: np.ndarray, faces: np.ndarray, heights: np.ndarray, radius:
     return grid
 
 
+def are_columns(grid: pyvista.DataSet) -> bool:
+    """Whether the grid is one that `columns` made, of two levels at least."""
+    if not isinstance(grid, pyvista.UnstructuredGrid) or not grid.n_cells or "GlobeGridProjection" not in grid.field_data or not np.isin(grid.celltypes, list(TYPES.values())).all():
+        return False
+    points, cells = size_of_level(grid)
+    return points > 0 and grid.n_points % points == 0 and grid.n_points > points and grid.n_cells == cells * (grid.n_points // points - 1)
+
+
+def size_of_level(grid: pyvista.UnstructuredGrid) -> tuple[int, int]:
+    """The numbers of points and cells in a level of the grid that `columns` made."""
+    first = grid.cell_connectivity[:grid.offset[1]]
+    points = int(first[len(first) // 2] - first[0])  # a corner is that many points below the one above it
+    return points, grid.n_cells // max(grid.n_points // points - 1, 1) if points > 0 else 0
+
+
+def bases(grid: pyvista.UnstructuredGrid, cells: int, points: np.ndarray) -> pyvista.UnstructuredGrid:
+    """The lower polygons of the first `cells` prisms of the grid that `columns` made, with these points."""
+    starts = grid.offset[:cells + 1]
+    sizes = np.diff(starts)
+    corner = np.arange(starts[-1]) - np.repeat(starts[:-1], sizes)
+    below = corner < np.repeat(sizes // 2, sizes)
+    sheet = pyvista.UnstructuredGrid()
+    sheet.points = points
+    sheet.SetCells(numpy_to_vtk(np.full(cells, POLYGON, np.uint8), deep=True, array_type=VTK_UNSIGNED_CHAR),
+                   pyvista.CellArray.from_arrays(np.concatenate([[0], np.cumsum(sizes // 2)]), grid.cell_connectivity[:starts[-1]][below], deep=True))
+    return sheet
+
+
 def _in_order(cells, types, places) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Corners of cells of several sizes, where each cell starts and its type, in the order of their positions."""
     if len(cells) == 1:  # in order
