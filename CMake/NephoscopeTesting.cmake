@@ -26,9 +26,10 @@ endif ()
 
 set(NEPHOSCOPE_TEST_OUTPUT "${PROJECT_BINARY_DIR}/Testing/Output")
 file(MAKE_DIRECTORY "${NEPHOSCOPE_TEST_OUTPUT}")
-# Each saves a test a quarter of its time or more: Mesa keeps compiled shaders even where there is no home; its software OpenGL compiles
-# them without optimization, which would take longer than drawing small pictures; memory that is used again and again is not given back.
-set(nephoscope_savings "MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/Testing/ShaderCache" "GALLIVM_PERF=nopt"
+# Each saves a test a sixth of its time or more: Mesa keeps compiled shaders even where there is no home; its software OpenGL compiles
+# them without optimization, which would take longer than drawing small pictures, and draws in one thread, as several tests run at once; memory that is
+# used again and again is not given back.
+set(nephoscope_savings "MESA_SHADER_CACHE_DIR=${PROJECT_BINARY_DIR}/Testing/ShaderCache" "GALLIVM_PERF=nopt" "LP_NUM_THREADS=0"
   "MALLOC_MMAP_THRESHOLD_=1000000000" "MALLOC_TRIM_THRESHOLD_=2000000000")
 set(NEPHOSCOPE_TEST_ENVIRONMENT
   "PYTHONPATH=${nephoscope_package_path}${PROJECT_SOURCE_DIR}/Testing/Python"
@@ -40,9 +41,17 @@ set(NEPHOSCOPE_TEST_ENVIRONMENT
   "ASAN_OPTIONS=detect_leaks=0" # neither Python nor the OpenGL driver frees everything; other C++ tests look for leaks
   "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/Sanitizers/leaks.supp"
   "TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/Testing/Sanitizers/threads.supp")
-if (NEPHOSCOPE_PRELOAD)
-  list(APPEND NEPHOSCOPE_TEST_ENVIRONMENT "LD_PRELOAD=${NEPHOSCOPE_PRELOAD}" "LD_LIBRARY_PATH=${NEPHOSCOPE_PRELOAD_FOLDER}")
+if (NEPHOSCOPE_TEST_PRELOAD)
+  list(APPEND NEPHOSCOPE_TEST_ENVIRONMENT "LD_PRELOAD=${NEPHOSCOPE_TEST_PRELOAD}" "LD_LIBRARY_PATH=${NEPHOSCOPE_PRELOAD_FOLDER}")
 endif ()
+
+# The tests in C++ run for a minute in all, and compile for longer than that without this.
+function (nephoscope_test_options target)
+  nephoscope_target_options(${target})
+  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    target_compile_options(${target} PRIVATE $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CONFIG:Release>>:-O1>)
+  endif ()
+endfunction ()
 
 # GoogleTest's headers take half of the time in which most tests in C++ compile: they are read once for all. With ccache, which handles
 # such headers badly, it is as quick without.
@@ -54,7 +63,7 @@ if (NOT NEPHOSCOPE_FOR_PYPI AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set_source_files_properties("${PROJECT_BINARY_DIR}/Testing/GoogleTestHeaders.cxx" PROPERTIES GENERATED ON)
   target_link_libraries(GoogleTestHeaders PRIVATE GTest::gtest)
   target_precompile_headers(GoogleTestHeaders PRIVATE <gtest/gtest.h>)
-  nephoscope_target_options(GoogleTestHeaders)
+  nephoscope_test_options(GoogleTestHeaders)
 endif ()
 
 function (nephoscope_add_math_test name source)
@@ -76,7 +85,7 @@ function (nephoscope_add_test_library name)
   add_library(${name} STATIC ${arg_SOURCES})
   nephoscope_test_folders(${name})
   target_link_libraries(${name} PUBLIC ${arg_MODULES})
-  nephoscope_target_options(${name})
+  nephoscope_test_options(${name})
 endfunction ()
 
 function (nephoscope_add_cxx_test name)
@@ -90,7 +99,7 @@ function (nephoscope_add_cxx_test name)
   if (arg_MODULES)
     vtk_module_autoinit(TARGETS ${name} MODULES ${arg_MODULES})
   endif ()
-  nephoscope_target_options(${name})
+  nephoscope_test_options(${name})
   if (nephoscope_precompile_gtest)
     target_precompile_headers(${name} REUSE_FROM GoogleTestHeaders)
   endif ()
