@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkFlowVolumePlacement
- * @brief   finds a position for a generating polygon: where the flow is fast, goes far, and the polygon fits
+ * @brief   finds a position for a generating polygon: where the flow enters or is fast, goes far, and the polygon fits
  *
  * Other filters start from the centre of the bounds, but in a shell of air around a globe or in a bent pipe there is no flow at the centre. This
  * class takes the fastest position in which the largest polygon fits, if smoke from there travels far: on average at least 0.35 of half the diagonal
@@ -12,7 +12,9 @@
  * 2. the length of the path inside the data, up to half of the diagonal of the bounds, in the time that the flow needs for this length at
  *    its initial speed; less if the path stays within an eighth of the diagonal;
  * 3. the radius: 1/50 of the diagonal, or half, a quarter, ... 1/128 of that, such that all points of the polygon across the flow are inside the data;
- * Among positions within 5 % of the best, it takes the one nearest to the centre of the bounds. From there it goes upstream, up to 0.8 of half the diagonal,
+ * Among positions within 5 % of the best, it takes the one nearest to the centre of the bounds. From there it goes upstream. If the flow enters the data there,
+ * with a quarter of the speed or more and room for the polygon, the place is just inside, 1 to 4 radii from the border. The polygon is then up to four times as
+ * wide, with as much room around it as in it, as far as the flow at its rim has 60 % of the speed in its middle. Elsewhere it goes up to 0.8 of half the diagonal,
  * as long as smoke goes farther, the flow has at least 70 % of the speed and the polygon has room. The same cells give the same position as an image, a grid
  * or unstructured data, on one process or on several. Hosts use it for their defaults; vtkFlowVolume itself does not move its polygon.
  */

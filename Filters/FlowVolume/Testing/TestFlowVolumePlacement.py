@@ -142,7 +142,7 @@ class Placement(unittest.TestCase):
         place = vtkFlowVolumePlacement()
         self.assertTrue(place.Find(box(channel)))
         self.assertLess(abs(place.GetCenter()[1]), 0.3)
-        self.assertAlmostEqual(place.GetRadius(), 3 / 50)  # the diagonal is 3
+        self.assertAlmostEqual(place.GetRadius(), 3 * 3 / 50)  # of the diagonal, 3; three times as wide at the inflow
 
     def test_room_around_the_polygon(self):
         """Along a wall, where a flow without friction is fastest, smoke would lose a part at once."""
@@ -150,7 +150,46 @@ class Placement(unittest.TestCase):
         place = vtkFlowVolumePlacement()
         self.assertTrue(place.Find(data))
         room = 0.5 - abs(place.GetCenter()[2])
-        self.assertGreater(room, 2.9 * place.GetRadius())
+        self.assertGreater(room, 2.9 * 3 / 50)  # of the diagonal
+        self.assertGreater(room, 2 * place.GetRadius())
+
+    def test_inflow(self):
+        """Where flow passes through, smoke starts where it enters, in a polygon that has as much room around it as in it, and is a fifth as wide as the data or more."""
+        def duct(length, velocity, along=0):
+            size = np.roll((length, 1.0, 1.0), along)
+            return box(velocity, tuple(int(n) for n in 12 * size), tuple(size), tuple(-size / 2))
+
+        def turned(angle):
+            return lambda x, y, z: np.array([np.cos(angle) + 0 * x, np.sin(angle) + 0 * y, 0 * z])
+        ducts = {"uniform": (duct(4, turned(0)), (1, 0, 0)), "backwards": (duct(4, turned(np.pi)), (-1, 0, 0)), "long": (duct(10, turned(0)), (1, 0, 0)),
+                 "upwards": (duct(5, lambda x, y, z: np.array([0 * x, 0 * y, 2 + 0 * z]), 2), (0, 0, 1)), "askew": (duct(4, turned(0.1)), (1, 0, 0)),
+                 "cube": (duct(1, turned(0)), (1, 0, 0)), "around a body": (box(body), (1, 0, 0)),
+                 "with walls": (duct(6, lambda x, y, z: np.array([(1 - 4 * y * y) * (1 - 4 * z * z), 0 * y, 0 * z])), (1, 0, 0)),
+                 "with a throat": (duct(6, lambda x, y, z: np.array([1 + 2.5 * np.exp(-3 * x * x), 0 * y, 0 * z])), (1, 0, 0))}
+        for name, (data, along) in ducts.items():
+            with self.subTest(name):
+                place = vtkFlowVolumePlacement()
+                self.assertTrue(place.Find(data))
+                bounds, center, radius = np.reshape(data.GetBounds(), (3, 2)), np.array(place.GetCenter()), place.GetRadius()
+                way = np.abs(along) @ np.ptp(bounds, axis=1)
+                self.assertLess(np.dot(along, center) + way / 2, 0.1 * way)
+                across = np.abs(along) < 0.5
+                room = np.min((np.ptp(bounds, axis=1) / 2 - np.abs(center))[across])
+                self.assertGreater(2 * radius, 0.2 * np.ptp(bounds, axis=1)[across].min())
+                self.assertGreaterEqual(room, 1.5 * radius)
+
+    def test_polygon_is_no_wider_than_a_jet(self):
+        """A jet in a box of nearly still air: the polygon starts at the inflow, but is no wider than the jet."""
+        place = vtkFlowVolumePlacement()
+        self.assertTrue(place.Find(box(jet)))
+        self.assertLess(place.GetCenter()[0], -0.9)
+        self.assertAlmostEqual(place.GetRadius(), 3 / 50)
+
+    def test_no_inflow_of_what_goes_round(self):
+        """A vortex enters a box beside its corners, where there is no room: the polygon is not wider there, but where smoke goes far."""
+        place = vtkFlowVolumePlacement()
+        self.assertTrue(place.Find(box(whirl)))
+        self.assertAlmostEqual(place.GetRadius(), 3 / 50)
 
     def test_narrow_data_have_a_small_polygon(self):
         place = vtkFlowVolumePlacement()

@@ -74,7 +74,7 @@ def check_fading():
     """Where smoke leaves the data triangle by triangle, it fades without bands across the stream: of the grey values of a row, the second differences are rounding."""
     view = new_view((500, 500))
     pvs.Show(pvs.FlowVolume(Input=wind("1+0.05*(coordsX+10)", "0.15*coordsY", "0.15*coordsZ"), Velocity=["POINTS", "wind"],
-                            Center=[-0.5, 0.5, -0.5]), view)
+                            Center=[-0.5, 0.5, -0.5], Radius=20 * np.sqrt(3) / 50), view)
     pvs.ResetCamera(view)
     grey = image(view).astype(float).mean(axis=2)
     rows = [row[row > 0] for row in grey if (row > 0).sum() > 400]  # those that the stream crosses from end to end

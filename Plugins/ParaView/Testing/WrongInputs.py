@@ -191,6 +191,22 @@ def check_nothing_to_draw(messages):
               CloudTextureCoverageArrayName="nan")
 
 
+def check_moved_slice(messages):
+    """A slice, whose panel does not offer Cell Compositing: a script that chooses it is told once, not again in each place of the slice."""
+    wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
+    for source in (pvs.Slice(Input=wavelet), pvs.ExtractSubset(Input=wavelet, VOI=[-4, 4, -4, 4, 0, 0])):
+        messages.clear()
+        view = new_view((40, 40))
+        pvs.Show(source, view).Representation = "Cell Compositing"
+        pvs.Render(view)
+        check(len(messages) == 1 and "Nothing is drawn: Cell Compositing needs 3-D cells" in messages[0], f"{source}: {messages}")
+        if hasattr(source, "SliceType"):
+            source.SliceType.Origin = [1, 0, 0]
+        pvs.Render(view)
+        check(len(messages) == 1, f"{source} in another place: {messages}")
+        pvs.Delete(view)
+
+
 def check_opacity_of_other_range(messages):
     """The function of the coloured array, 37 to 277, reads an array from 5 to 8."""
     source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3), ResultArrayName="V", Function="5+0.1*(coordsX+4)+0.2*(coordsY+4)")
@@ -230,6 +246,7 @@ def check_light(messages):
 def main():
     messages = listen()
     check_nothing_to_draw(messages)
+    check_moved_slice(messages)
     check_contours_of_cells(messages)
     check_contour_values(messages)
     check_opacity_of_other_range(messages)

@@ -62,16 +62,13 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
   }
 
   // The measures are those of a sample.
-  if (all.Volume <= 0.0 && LeastOverRanks(nephoscope::holdsVolume(this->Piece) ? 0 : 1) == 1)
+  const bool hasNoVolume =
+    all.Volume <= 0.0 && LeastOverRanks(nephoscope::holdsVolume(this->Piece) ? 0 : 1) == 1;
+  if (hasNoVolume)
   {
     this->Piece = nullptr; // the mapper would tell the same in its own words
-    if (HoldsAnything(input) && IsFirstRank())
-    {
-      vtkWarningMacro(
-        "Nothing is drawn: Cell Compositing needs 3-D cells that are visible and have a volume, and the input has none. "
-        "Choose the representation Surface or Textured Splats, or make cells by Delaunay 3D.");
-    }
   }
+  this->WarnOfNoVolume(hasNoVolume && HoldsAnything(input));
   // A rank without cells can not know what the others hold; an empty unstructured grid goes with either.
   this->AxisAligned = !this->Piece || nephoscope::isAxisAligned(this->Piece);
   if (!this->Piece)
@@ -89,6 +86,18 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
   StoreMeasures(this->Piece,
     smokeDistance > 0.0 ? smokeDistance : nephoscope::defaultUnitDistance(all, common, true),
     all.ScalarRange);
+}
+
+// Once until there is a volume again: a slice that is dragged has none in any place.
+void vtkCellCompositingRepresentation::WarnOfNoVolume(bool hasNoVolume)
+{
+  if (hasNoVolume && !this->HadNoVolume && IsFirstRank())
+  {
+    vtkWarningMacro(
+      "Nothing is drawn: Cell Compositing needs 3-D cells that are visible and have a volume, and the input has none. "
+      "Choose the representation Surface or Textured Splats, or make cells by Delaunay 3D.");
+  }
+  this->HadNoVolume = hasNoVolume;
 }
 
 bool vtkCellCompositingRepresentation::DrawsBlock(vtkDataObject* block) const

@@ -113,6 +113,7 @@ private:
   vtkCellCompositingRepresentation(const vtkCellCompositingRepresentation&) = delete;
   void operator=(const vtkCellCompositingRepresentation&) = delete;
 
+  void WarnOfNoVolume(bool hasNoVolume);
   void MakeListOfCells(bool areEven);
   void EndRaysAt(const std::array<double, 6>& region);
   int ChooseInterpolation(vtkDataSet* cells) const;
@@ -129,6 +130,7 @@ private:
 
   vtkNew<vtkCellCompositingMapper> Mapper;
 
+  bool HadNoVolume = false; // the input, and a warning has said so
   bool AxisAligned = false;
   std::array<double, 6> Region;         // of space, in which this rank draws
   vtkSmartPointer<vtkDataSet> Complete; // what is drawn of a delivered piece
