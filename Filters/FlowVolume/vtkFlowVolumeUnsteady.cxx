@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 using SDDP = vtkStreamingDemandDrivenPipeline;
 
@@ -228,10 +229,16 @@ void vtkFlowVolume::TellOfNoSmokeYet()
     return;
   }
   state.ToldOfNoSmoke = state.Streak.MTime;
+  const double start = std::max(this->StartTime, state.Times.front());
+  std::ostringstream later;
+  if (state.Times.back() > start)
+  {
+    later << ", such as " << state.Times.back();
+  }
   vtkWarningMacro("There is no smoke at time "
-    << state.Requested << ": unsteady smoke leaves the generating polygon from time "
-    << std::max(this->StartTime, state.Times.front())
-    << " on, and needs time to grow. Play the animation, choose a later time, or switch Unsteady off.");
+    << state.Requested << ": unsteady smoke leaves the generating polygon from time " << start
+    << " on, and needs time to grow. Play the animation, choose a later time" << later.str()
+    << ", or switch Unsteady off.");
 }
 
 void vtkFlowVolume::EndSeries(vtkInformation* request)

@@ -17,6 +17,7 @@
 #include "vtkSMTransferFunctionPresets.h"
 #include "vtkSMTransferFunctionProxy.h"
 
+#include <cmath>
 #include <vector>
 
 namespace nephoscope
@@ -188,16 +189,27 @@ void DarkenOnBrightBackground(vtkSMProxy* display)
   }
 }
 
+// The array that a contour filter contours; an empty name for other sources, and before it had data.
+std::string ContouredArray(vtkSMProxy* source)
+{
+  const vtkSMPropertyHelper contoured(source, "SelectInputScalars", true);
+  const char* name = contoured.GetNumberOfElements() == 5 ? contoured.GetAsString(4) : nullptr;
+  return name ? name : "";
+}
+
 // A surface at one value of an array has one colour in the colours of that array, and not the best one.
 bool IsColoredByContouredArray(vtkSMProxy* display, vtkSMProxy* source, vtkPVDataInformation* data)
 {
-  const vtkSMPropertyHelper contoured(source, "SelectInputScalars", true);
-  std::string name = contoured.GetNumberOfElements() == 5 && contoured.GetAsString(4)
-    ? contoured.GetAsString(4)
-    : "";
-  name = name.empty() ? ActiveScalars(data).Name
-                      : name; // as a filter does that was made before there were data
-  return name == ColoredBy(display).Name;
+  const std::string contoured = ContouredArray(source);
+  return ColoredBy(display).Name == (contoured.empty() ? ActiveScalars(data).Name : contoured);
+}
+
+bool HasOneValue(vtkPVDataInformation* data, const ColoredArray& array)
+{
+  vtkPVArrayInformation* values = data->GetArrayInformation(array.Name.c_str(), array.Association);
+  const double* range =
+    values && values->GetNumberOfComponents() == 1 ? values->GetComponentFiniteRange(0) : nullptr;
+  return range && range[1] - range[0] <= 1e-6 * std::abs(range[1]);
 }
 
 // The light of smoke that is to be white, 0 of other data. Thin smoke sends less light than clouds: in their colours it would be grey.
@@ -260,6 +272,17 @@ void colorFirst(
     display->SetScalarColoring(array.Name.c_str(), array.Association);
     UsePreset(display, array.Name, data);
     display->RescaleTransferFunctionToDataRange(true, false);
+  }
+}
+
+void whitenContour(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
+{
+  const ColoredArray array = ColoredBy(display);
+  if (!array.Name.empty() &&
+    (array.Name == ContouredArray(source) || HasOneValue(source->GetDataInformation(port), array)))
+  {
+    display->SetScalarColoring(nullptr, vtkDataObject::POINT);
+    display->UpdateVTKObjects();
   }
 }
 

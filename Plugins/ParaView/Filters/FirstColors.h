@@ -19,6 +19,9 @@ namespace nephoscope
 void colorFirst(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const std::string& how);
 
+/** Takes the colours from a surface that is coloured by the array of which it is a contour, or by one with a single value: a map has one colour for it. */
+void whitenContour(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port);
+
 /** Gives the array that colours the display a preset that is in its unit: its range stays, except that smoke alone in its view reaches white. */
 void colorByPreset(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset);

@@ -55,6 +55,7 @@ bool IsEmpty(vtkSMSourceProxy* source, int port)
 }
 
 constexpr const char* solidColorIsChosen = "NephoscopeSolidColor"; // of displays
+constexpr const char* arrayIsChosen = "NephoscopeColorArray";
 
 // One level of a grid, or polygons: a volume would draw nothing.
 bool IsSheet(vtkPVDataInformation* data)
@@ -171,16 +172,21 @@ void PrepareDisplay(vtkSMPVRepresentationProxy* display)
   }
 }
 
-// Whoever chooses Solid Color keeps it in other representations.
-void NoteSolidColor(vtkSMPVRepresentationProxy* display)
+// Whoever chooses Solid Color, or an array, keeps it in other representations.
+void NoteColoring(vtkSMPVRepresentationProxy* display)
 {
-  if (display->GetUsingScalarColoring())
+  const bool hasArray = display->GetUsingScalarColoring();
+  display->SetAnnotation(hasArray ? arrayIsChosen : solidColorIsChosen, "yes");
+  display->RemoveAnnotation(hasArray ? solidColorIsChosen : arrayIsChosen);
+}
+
+// The texture multiplies the colour of the surface: in that of a colour map clouds would be blue or brown.
+void WhitenCloud(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
+{
+  if (!display->HasAnnotation(arrayIsChosen))
   {
-    display->RemoveAnnotation(solidColorIsChosen);
-  }
-  else
-  {
-    display->SetAnnotation(solidColorIsChosen, "yes");
+    nephoscope::whitenContour(display, source, port);
+    display->RemoveAnnotation(solidColorIsChosen); // nobody has
   }
 }
 
@@ -224,10 +230,10 @@ void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
   }
   if (display && property && std::string(property) == "ColorArrayName")
   {
-    NoteSolidColor(display);
+    NoteColoring(display);
   }
   if (!display || !property || std::string(property) != "Representation" ||
-    display->GetUsingScalarColoring() || display->HasAnnotation(solidColorIsChosen) ||
+    display->HasAnnotation(solidColorIsChosen) ||
     display->GetSessionProxyManager()->GetInLoadXMLState())
   {
     return;
@@ -236,9 +242,15 @@ void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
   const vtkSMPropertyHelper input(display, "Input", true);
   auto* source =
     vtkSMSourceProxy::SafeDownCast(input.GetNumberOfElements() > 0 ? input.GetAsProxy() : nullptr);
-  if (source && (type == "Cell Compositing" || type == "Textured Splats"))
+  const int port = source ? static_cast<int>(input.GetOutputPort()) : 0;
+  const bool hasArray = display->GetUsingScalarColoring();
+  if (source && !hasArray && (type == "Cell Compositing" || type == "Textured Splats"))
   {
-    nephoscope::colorFirst(display, source, static_cast<int>(input.GetOutputPort()), "active");
+    nephoscope::colorFirst(display, source, port, "active");
+  }
+  else if (source && hasArray && type == "Cloud Texture")
+  {
+    WhitenCloud(display, source, port);
   }
 }
 

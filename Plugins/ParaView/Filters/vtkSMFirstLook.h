@@ -10,6 +10,7 @@
  * - displays of sources with the hint NephoscopeFirstLook get the colours that it asks for with `color`: "clouds", the first array whose preset
  *   is one of clouds, else the active scalars; "solid", none; "surface", none if the array is the contoured one; else the cell array of that name;
  * - displays without an array get the active scalars when their representation becomes Cell Compositing or Textured Splats, as Volume does;
+ * - contours whose representation becomes Cloud Texture are white, unless somebody has chosen the array that colours them;
  * - opacity functions of arrays that begin with the colours of a preset of this project get its opacities too;
  * - where such a display comes into a view whose camera suits other data, of another place or scale, the camera is reset to it;
  * - where it is alone in a view, shows a globe, and the camera looks as ParaView's do at first, at the pole, it is turned to the side;

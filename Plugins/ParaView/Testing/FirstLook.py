@@ -267,6 +267,32 @@ def check_switched():
     pvs.Delete(view)
 
 
+def check_clouds_of_contours():
+    """Cloud Texture of a contour is white, not blue or brown as the map has its value; an array that is chosen, and one with many values, stay."""
+    view = new_view(SIZE)
+    wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
+    contour = pvs.Contour(Input=wavelet, ContourBy=["POINTS", "RTData"], Isosurfaces=[200])
+    display = pvs.Show(contour, view)
+    check_display(display, "a contour", "Surface", "RTData")
+    display.Representation = "Cloud Texture"
+    check_display(display, "a contour", "Cloud Texture", "")
+    pvs.ResetCamera(view)
+    clouds = image(view)
+    save_image(clouds, "FirstLook-clouds-of-contour")
+    check(clouds.max() > 100 and np.ptp(clouds, axis=2).max() < 30, f"clouds of a contour have colours: channels differ by {np.ptp(clouds, axis=2).max()}")
+    pvs.ColorBy(display, ("POINTS", "RTData"))
+    for name in ("Surface", "Cloud Texture"):
+        display.Representation = name
+        check_display(display, "a contour in chosen colours", name, "RTData")
+    pvs.Hide(contour, view)
+    high = pvs.Elevation(Input=pvs.Sphere())
+    display = pvs.Show(high, view)
+    pvs.ColorBy(display, ("POINTS", "Elevation"))
+    display.Representation = "Cloud Texture"
+    check_display(display, "a surface of many values", "Cloud Texture", "Elevation")
+    pvs.Delete(view)
+
+
 def check_chosen_solid_color():
     """Who has chosen Solid Color keeps it in the other representation; who chooses an array has that again."""
     display = pvs.Show(pvs.Wavelet(), pvs.CreateRenderView())
@@ -360,5 +386,6 @@ check_constant_fields()
 check_vectors()
 check_opacities()
 check_switched()
+check_clouds_of_contours()
 check_chosen_solid_color()
 passed()

@@ -50,10 +50,10 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         Point or cell array of three components: the velocity, in units of length of the mesh per second. Default: ``"DisplayVelocity"`` if it
         exists, otherwise the active vectors or the only array of three components.
     center : sequence of 3 float, optional
-        Centre of the polygon. Default: a position where the flow is fast and the polygon fits into the data.
+        Centre of the polygon. Default: where the flow enters the data, or a position where it is fast, and the polygon fits into the data.
     radius : float, optional
-        Circumradius of the polygon, > 0. Default: 1/50 of the diagonal of the bounds; less if `center` is not given and such a polygon does not
-        fit.
+        Circumradius of the polygon, > 0. Default: 1/50 of the diagonal of the bounds; if `center` is not given, less where such a
+        polygon does not fit, and up to four times as much where the flow enters the data.
     normal : sequence of 3 float or "flow", optional
         Normal of the regular polygon. ``"flow"``: the direction of the flow at the centre of the polygon, for a regular or a given polygon.
         Default: ``"flow"`` for the regular polygon.
