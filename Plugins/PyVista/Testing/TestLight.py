@@ -315,6 +315,19 @@ class Water(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, r"Give it one: mesh\['Extinction'\] = "):
             nephoscope.add_cells(pyvista.Plotter(), pyvista.ImageData(dimensions=(3, 3, 3)), sun=(1, 0, 1))
 
+    def test_a_cloud_fraction_alone(self):
+        """The message gives it a scale, as a fraction and as percent, by which it is lit."""
+        for whole in (1.0, 100.0):
+            mesh = pyvista.ImageData(dimensions=(6, 6, 6), spacing=(1e3, 1e3, 1e3))
+            mesh["cloud_fraction"] = np.linspace(0, whole, mesh.n_points)
+            with self.assertRaisesRegex(RuntimeError, "If the cloud fraction is all that you have") as caught:
+                nephoscope.add_cells(pyvista.Plotter(), mesh, sun=(0.123456789, 0, 1))
+            remedy = eval(str(caught.exception).split("overcast: sun=")[1].split("}")[0] + "}")
+            self.assertEqual(remedy["direction"], (0.1235, 0.0, 1.0))
+            self.assertAlmostEqual(remedy["extinction_scale"] * whole, 0.01)
+            volume = nephoscope.add_cells(pyvista.Plotter(), mesh, sun=remedy)
+            self.assertAlmostEqual(float(np.max(volume.mapper.dataset["ScaledExtinction"])), 0.01 * (1 - 0.85 ** 2), places=6)  # of droplets, g = 0.85
+
     def test_wrong_suns_come_first(self):
         """A direction without length and a time that is none are a ValueError, whatever else is missing."""
         smoke, surface = lumps(), pyvista.Sphere()

@@ -135,6 +135,15 @@ class Times(unittest.TestCase):
         self.assertIn("3 times ('time'), without a coordinate", str(caught[0].message))
         self.assertEqual(dataset.nephoscope.series().times, ["0", "1", "2"])
 
+    def test_a_number_that_is_no_index(self):
+        """The message tells the indices, and that of the month which was meant."""
+        one = isothermal(np.arange(0, 40, 5.0), LAT)
+        months = xr.concat([one, one], xr.DataArray([1, 7], dims="month", name="month"))
+        with self.assertRaisesRegex(ValueError, r"time is 7, but the dataset has 2 times \('month'\): it must be an index, 0 to 1, or a date. For month 7 pass time=1."):
+            months.nephoscope.globe(time=7)
+        with self.assertRaisesRegex(ValueError, "an index, 0 to 1, or a date.$"):
+            months.nephoscope.globe(time=12)
+
     def test_lead_times(self):
         hours = np.arange(3) * np.timedelta64(6, "h").astype("timedelta64[ns]")
         lead, start = {"step": ("step", hours)}, {"time": np.datetime64("2020-01-01T12", "ns")}
@@ -188,10 +197,25 @@ class Names(unittest.TestCase):
                 np.testing.assert_allclose(self.drawn(name)[1], value)
 
     def test_what_cannot_be_drawn(self):
-        for name, message in (("vortcity", "no field 'vortcity'. Did you mean 'vorticity'.*There are: 'ta', 'wind_x'.*computed quantities: 'relative_humidity'"),
+        for name, message in (("vortcity", "no field 'vortcity'. Did you mean 'vorticity'.*There are: 'ta', 'wind_x'.*computed quantities: 'potential_temperature'"),
                               ("remark", "'remark' is of type .U1, but a field must have numbers.*'ta'"), ("plev", "'plev' is on 'plev'")):
             with self.subTest(name), self.assertRaisesRegex(ValueError, message):
                 self.dataset.nephoscope.plot(name, screenshot="none.png")
+
+    def test_quantities_that_lack_their_input_are_not_proposed(self):
+        bare = self.dataset[["liquid"]]
+        with self.assertRaisesRegex(ValueError, "^There is no field 'temperature'. There are: 'liquid'.$"):
+            bare.nephoscope.plot("temperature", screenshot="none.png")
+        with self.assertRaisesRegex(ValueError, "computed quantities: 'wind_speed', 'vorticity'.$"):
+            self.dataset[["wind_x", "wind_y"]].nephoscope.plot("temperature", screenshot="none.png")
+
+    def test_every_quantity_that_is_proposed_can_be_drawn(self):
+        from nephoscope.weather.derived import computable
+        names = computable(self.dataset.nephoscope._reading(0, {}))
+        self.assertEqual(names, ["potential_temperature", "wind_speed", "vorticity", "cloud_content"])
+        for name in names:
+            with self.subTest(name):
+                self.assertTrue(np.isfinite(self.drawn(name)[1]).any())
 
     def test_an_animation_of_a_quantity(self):
         plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))

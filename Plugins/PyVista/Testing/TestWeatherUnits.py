@@ -129,6 +129,13 @@ class Sea(unittest.TestCase):
                 self.assertAlmostEqual(last, -4000, places=1)
         self.assertIn("'depth' has no units and is used as m", sea("depth", (5, 100, 4000)).nephoscope.describe())
 
+    def test_lengths_without_a_direction_are_told(self):
+        told = "'{}' has no attribute 'positive': its values are taken as heights. For depths set ds['{}'].attrs['positive'] = 'down'"
+        for name, attributes, ambiguous in (("z", {}, True), ("lev", {}, True), ("z", {"positive": "up"}, False), ("height", {}, False), ("lev", {"long_name": "altitude of the level"}, False)):
+            with self.subTest(name, **attributes):
+                described = sea(name, (5, 100, 4000), **{"units": "m", "field": None, **attributes}).nephoscope.describe()
+                self.assertEqual(told.format(name, name) in described, ambiguous)
+
     def test_heights_stay(self):
         for name, attributes in (("z", {}), ("height", {}), ("z_t", {}), ("depth", {"positive": "up"}), ("lev", {"positive": "up", "field": "sea_water_salinity"})):
             self.assertGreater(self.ends(sea(name, (5, 100, 4000), **{"units": "m", "field": None, **attributes}))[1], 3999)

@@ -45,6 +45,13 @@ class Views(unittest.TestCase):
         wind = wind.assign(v=-wind["v"].assign_attrs(units="m/s", standard_name="northward_wind"))
         np.testing.assert_allclose(self.place(self.plotted(wind, "v")), (100, 30), atol=3)  # of either sign
 
+    def test_a_notebook_has_one_picture(self):
+        """That of `show`; elsewhere a plotter at the end of a cell is its picture, if PyVista has that."""
+        plotter = self.plotted(weather())
+        for notebook in (False, True):
+            plotter.notebook = notebook
+            self.assertEqual(plotter._repr_png_() is not None, not notebook and hasattr(pyvista.Plotter, "_repr_png_"))
+
     def test_all_round_the_globe(self):
         calm = weather()
         everywhere = calm.assign(cc=calm["cc"] * 0 + np.cos(np.radians(6 * calm.longitude)) ** 2)

@@ -14,6 +14,7 @@ from ._pipeline import level_of_caller
 USUAL = (9999.0, 99999.0, 999.0, 999999.0, 8888.0, 32767.0, 32768.0, 65535.0, 1e10, 1e15, 1e20, 1e30, 1e35, 1e36, 1e37, 9.999e20, 9.96921e36, 3.4028235e38)  # of either sign
 FAR, FARTHER = 5.0, 1000.0  # times the range of all others: the distance to them of a usual fill value, and of another one
 SMALL, MOSTLY = 0.05, 0.5  # of the greatest value, and of all values: a field that is zero almost everywhere
+LEAST = 0.01  # of the greatest value: the least one of such a field; codes from 1 on have none
 BULK = (5.0, 25.0, 75.0, 95.0)  # percentiles: the values between the outer ones keep their own colours, and those within FENCE times the distance of the inner ones beyond these
 FENCE = 3.0  # Tukey's for values that are far out
 NARROW = 1 / 3  # of the range of all values: where the bulk is narrower, it has the whole range of colours
@@ -24,7 +25,7 @@ HUGE, SANE = 1e15, 1e9  # where the median is below the second, magnitudes above
 def is_mostly_zero(values: np.ndarray) -> bool:
     """Whether no value is negative and more than half of them are 0 or close to it, as those of rain, of plumes and of aerosol are."""
     finite = np.asarray(values, float)[np.isfinite(values)]
-    if not finite.size or finite.min() < 0 or finite.max() <= 0:
+    if not finite.size or finite.max() <= 0 or not 0 <= finite.min() <= LEAST * finite.max():
         return False
     return bool(np.mean(finite <= SMALL * finite.max()) > MOSTLY)
 

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPointSet
 from . import vtkSunlight, vtkSunSource
 from ._blocks import cell_dimension
 from ._checks import arrays_of, choose, require_number
+from ._fields import preset_of_field
 from ._from_xarray import meshed
 from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh, Numbers
@@ -268,8 +269,12 @@ def _other_extinction(mesh: pyvista.DataSet, direction: Numbers | None, time: st
     numbers = [name for data in (mesh.point_data, mesh.cell_data) for name in data.keys() if data[name].ndim == 1 and np.issubdtype(data[name].dtype, np.number)]
     if not numbers:
         return "Give it one: mesh['Extinction'] = ..., per unit of length of the mesh."
-    sun = {"direction": tuple(np.asarray(direction).tolist())} if direction is not None else {"time": time} if time else {}
-    sun["extinction"] = mesh.active_scalars_name if mesh.active_scalars_name in numbers else numbers[0]
+    sun: dict[str, Any] = {"direction": tuple(float(f"{part:.4g}") for part in np.asarray(direction))} if direction is not None else {"time": time} if time else {}
+    name = sun["extinction"] = mesh.active_scalars_name if mesh.active_scalars_name in numbers else numbers[0]
+    preset = preset_of_field(name, mesh)
+    if preset is not None and preset.name == "clouds":  # a fraction, or percent
+        sun["extinction_scale"] = 0.01 if np.nanmax(mesh[name], initial=0) <= 1.5 else 0.0001
+        return f"If the cloud fraction is all that you have, pass it as extinction coefficient, 0.01 per metre where the sky is overcast: sun={sun}."
     return f"Name the array that is the extinction coefficient, per unit of length of the mesh: sun={sun}; sun['extinction_scale'] multiplies it. Clouds of water have 0.01 to 0.1 per metre."
 
 

@@ -121,5 +121,16 @@ def water_vapour(reading: Reading, air: Air) -> np.ndarray:
     return water_fraction("water_vapour", reading, air) * density_of(air, "water_vapour")
 
 
+def computable(reading: Reading) -> list[str]:
+    """The names of the quantities for which the dataset seems to have what they need."""
+    has = lambda *roles: any(reading.has(role) for role in roles)  # noqa: E731
+    temperature, humidity = has("temperature", "potential_temperature"), has("specific_humidity", "mixing_ratio", "relative_humidity")
+    horizontal = reading.has_winds()
+    there = {"relative_humidity": has("relative_humidity") or temperature and humidity, "potential_temperature": temperature, "equivalent_potential_temperature": temperature and humidity,
+             "wind_speed": horizontal, "vorticity": horizontal and not reading.horizontal.is_list, "cloud_content": temperature and has(*WATER), "water_vapour": temperature and humidity,
+             "cloud_fraction": has("cloud_fraction", "relative_humidity") or temperature and humidity}
+    return [name for name in QUANTITIES if there[name]]
+
+
 QUANTITIES = {function.__name__: function for function in (relative_humidity, potential_temperature, equivalent_potential_temperature, wind_speed, vorticity, cloud_content, cloud_fraction,
                                                            water_vapour)}

@@ -7,7 +7,7 @@ from difflib import get_close_matches
 from typing import Any
 
 from .._checks import listed
-from .derived import QUANTITIES
+from .derived import QUANTITIES, computable
 from .reading import KINDS, Reading
 from .roles import ROLES
 from .sea import is_of_water
@@ -34,8 +34,10 @@ def named(reading: Reading, name: str) -> tuple[str, dict[str, Any]]:
     told = told or [reading.roles[role.name] for role in ROLES.values() if name.lower() in role.names and reading.roles.get(role.name) in fields]  # of another model
     if told:
         return told[0], {"variables": told[:1]}
-    near = get_close_matches(name, [*fields, *QUANTITIES], 3, 0.6)
-    raise ValueError(f"There is no field {name!r}." + (f" Did you mean {listed(near)}?" if near else "") + f" There are: {listed(fields)}; computed quantities: {listed(list(QUANTITIES))}.")
+    quantities = computable(reading)
+    near = get_close_matches(name, [*fields, *quantities], 3, 0.6)
+    computed = f"; computed quantities: {listed(quantities)}" if quantities else ""
+    raise ValueError(f"There is no field {name!r}." + (f" Did you mean {listed(near)}?" if near else "") + f" There are: {listed(fields)}{computed}.")
 
 
 def _why_not(reading: Reading, name: str, fields: list[str]) -> str:

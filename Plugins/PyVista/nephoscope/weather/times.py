@@ -72,9 +72,16 @@ def _index(dataset, dim: str, time) -> int:
         return 0
     if isinstance(time, (int, np.integer)):
         if not -size <= time < size:
-            raise ValueError(f"time is {time}; the dataset has {size} times ({dim!r}), from 0.")
+            raise ValueError(f"time is {time}, but the dataset has {size} times ({dim!r}): it must be an index, 0 to {size - 1}, or a date.{_of_value(dataset, dim, time)}")
         return int(time) % size
     return _of_date(dataset, dim, time)
+
+
+def _of_value(dataset, dim: str, value: int) -> str:
+    """How to choose a time by its number, such as that of a month."""
+    values = dataset[dim].values if dim in dataset.variables else np.zeros(0)
+    found = np.flatnonzero(values == value) if np.issubdtype(values.dtype, np.number) else []
+    return f" For {dim} {value} pass time={found[0]}." if len(found) else ""
 
 
 def when(dataset, dim: str) -> np.ndarray | None:

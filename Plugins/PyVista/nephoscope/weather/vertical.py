@@ -130,6 +130,12 @@ def is_depth(dataset, variable) -> bool:
     return bool(units and of_sea and dims)
 
 
+def _may_be_depth(variable) -> bool:
+    """Whether nothing says that lengths are counted upwards."""
+    told = " ".join(str(variable.attrs.get(key, "")) for key in ("standard_name", "long_name")) + f" {variable.name}"
+    return "positive" not in variable.attrs and not re.search(r"height|altitude|elevation|\b(alt|hgt|agl|msl)", told.lower())
+
+
 def _kind(dataset, variable) -> str | None:
     standard, units = variable.attrs.get("standard_name", ""), variable.attrs.get("units")
     if _counts(variable) or _is_reference(variable):
@@ -215,6 +221,8 @@ def level_values(dataset, vertical: Vertical) -> np.ndarray:
         return -depth_of_sea_pressure(converted(values, units, "pressure", vertical.name)[0] / 1e4)
     found, note = converted(values, units, quantity, vertical.name)
     _note_once(vertical, note)
+    if vertical.kind == "height" and _may_be_depth(variable):
+        _note_once(vertical, f"{vertical.name!r} has no attribute 'positive': its values are taken as heights. For depths set ds[{vertical.name!r}].attrs['positive'] = 'down'")
     return -found if vertical.kind == "depth" and np.nanmax(found) > 0 else found
 
 

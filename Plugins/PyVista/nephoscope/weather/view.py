@@ -24,6 +24,11 @@ class PicturePlotter(pyvista.Plotter):
         self._pictured = self._cameras()
         return found
 
+    def _repr_png_(self) -> bytes | None:
+        """None in a notebook, where `show` has displayed the picture."""
+        inherited = getattr(super(), "_repr_png_", None)  # not in every PyVista
+        return None if self.notebook or inherited is None else inherited()
+
     def _cameras(self) -> tuple:
         return tuple((*one.camera.GetPosition(), *one.camera.GetFocalPoint(), *one.camera.GetViewUp(), one.camera.GetViewAngle(), one.camera.GetParallelScale()) for one in self.renderers)
 
