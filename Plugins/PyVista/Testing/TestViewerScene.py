@@ -12,6 +12,7 @@ from pathlib import Path
 import nephoscope
 import numpy as np
 import pyvista
+import xarray as xr
 
 nephoscope.read_cf  # the accessor and PyVista's part are there
 from nephoscope.viewer_scene import Scene, camera_of, draw  # noqa: E402
@@ -118,12 +119,26 @@ class Files(unittest.TestCase):
                 for technique in techniques:
                     self.assertGreater(self.picture(scene, technique=technique).std(), 2, technique)
 
+    def test_weather_that_vtk_does_not_read(self):
+        """Four dimensions of which none is a time for VTK, no ending, and a flat grid of a model: as `nephoscope.open` reads them."""
+        months, levels, lats, lons = [1, 7], [850.0, 500, 200], np.arange(60, -61, -20.0), np.arange(0, 360, 30.0)
+        wind = np.ones((2, 3, 7, 12)) * np.cos(np.radians(lats))[:, None] * np.array([10, 20])[:, None, None, None]
+        places = {"month": months, "level": ("level", levels, {"units": "millibars"}), "latitude": ("latitude", lats, {"units": "degrees_north"}), "longitude": ("longitude", lons, {"units": "degrees_east"})}
+        data = xr.Dataset({name: (tuple(places), wind, {"units": "m s**-1", "standard_name": f"{way}ward_wind"}) for name, way in (("u", "east"), ("v", "north"))}, places)
+        for name in ("months.nc", "months"):
+            data.to_netcdf(self.folder / name)
+            scene = Scene(self.folder / name)
+            self.assertEqual((scene.choices.globe, scene.choices.terrain, scene.choices.times), (True, False, ("1", "7")))
+            self.assertEqual(scene.choices.techniques, ("cells", "splats", "surface", "winds", "smoke"))
+            self.assertGreater(np.abs(self.picture(scene, time=1, field="u") - self.picture(scene, field="u")).max(), 5)
+        self.assertGreater(scene.grid(View(exaggeration=20.0)).length, scene.grid(View()).length)
+
     def test_files_that_cannot_be_drawn(self):
         for name, content, message in (("nothing.nc", None, "There is no file"), ("wrong.nc", b"no NetCDF", "wrong.nc"), ("wrong.vtu", b"<", "wrong.vtu"),
                                        ("what.xyzzy", b"\x01?", "what.xyzzy is neither GRIB nor NetCDF: it begins with"),
-                                       ("README.md", b"# It reads GRIB\n", "README.md is neither GRIB nor NetCDF, but a text file.*The viewer draws NetCDF, .vdb"),
-                                       ("a.grib2", b"GRIB\0\0\0\2" + bytes(99), "a.grib2 is GRIB. The viewer does not read it. Draw it by nephoscope.open"),
-                                       ("data", b"CDF\1" + bytes(99), "data is NetCDF. Give it a name that ends with .nc")):
+                                       ("README.md", b"# It reads GRIB\n", "README.md is neither GRIB nor NetCDF, but a text file.*The viewer draws NetCDF, GRIB, .vdb"),
+                                       ("a.grib2", b"GRIB\0\0\0\2" + bytes(99), "a.grib2 cannot be read: "),
+                                       ("data", b"CDF\1" + bytes(99), "data cannot be read: ")):
             with self.subTest(name):
                 if content is not None:
                     (self.folder / name).write_bytes(content)

@@ -11,7 +11,8 @@ from typing import Any
 import pyvista
 
 from .serving import add_view
-from .viewer_scene import Scene, camera_of, draw, one_sentence
+from .viewer_scene import Scene, camera_of, draw
+from .viewer_sources import one_sentence
 from .viewer_state import LIMITS, TECHNIQUES, View, checked, from_mapping, from_query, to_query
 
 CHOSEN = ("field", "technique", "time", "exaggeration", "opacity", "preset", "terrain")  # by the widgets

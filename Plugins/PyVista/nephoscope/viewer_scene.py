@@ -3,38 +3,29 @@
 """Draws a file for the viewer: the choices that its data allow, and each technique with its defaults."""
 from __future__ import annotations
 
-import logging
 import warnings
-from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, Callable, Iterator
+from typing import Any, Callable
 
 import numpy as np
 import pyvista
 
 from ._blocks import cell_dimension
 from ._fields import is_helper, presets
-from ._medium import wrapped
 from .cells import add_cells
 from .cloud_texture import add_cloud_texture
 from .clouds import cloud_surface
-from .globe import globe_surface, to_globe
-from .reader import cf_shapes, cf_times, read_cf
+from .globe import globe_surface
 from .smoke import flow_volume
 from .smoke_drawing import add_smoke
-from .sparse import read_vdb
 from .splats import add_splats
 from .terrain import add_terrain, terrain_surface
+from .viewer_sources import KEPT, one_sentence, source_of
 from .viewer_state import Choices, View
-from .weather.foreign import ENDINGS, first_bytes, format_of, refusal
 
-NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
-READS = "The viewer draws NetCDF, .vdb, and the files of meshes that pyvista.read reads, such as .vtu and .vti."
-OF_WEATHER = "The viewer does not read it. Draw it by nephoscope.open(path).nephoscope.plot(), or convert it to NetCDF first: cdo -f nc copy IN OUT.nc."
 EARTH = "#33506b"  # of the sphere, if there is no terrain
-KEPT = 3           # number of grids kept for the last times and exaggerations
-BAR = {"width": 0.25, "height": 0.08, "position_x": 0.72, "position_y": 0.02, "n_labels": 3, "fmt": "%g", "title_font_size": 16, "label_font_size": 14}
+BAR = {"width": 0.25, "height": 0.08, "position_x": 0.72, "position_y": 0.02, "n_labels": 3, "fmt": "%.4g", "title_font_size": 16, "label_font_size": 14}
 GLOBE_ZOOM = 1.4    # nearer than PyVista's camera, which leaves room for the corners of a box
 OPTICAL_DEPTH = 3   # of a cloud surface, as add_cloud_texture has it
 
@@ -46,14 +37,12 @@ class Scene:
         self.path = Path(path)
         if not self.path.is_file():
             raise FileNotFoundError(f"There is no file {self.path}.")
-        self._read = lru_cache(KEPT)(self._read_file)
-        self._grid = lru_cache(KEPT)(self._make_grid)
-        self._is_globe = _is_on_a_globe(self.path, self._read(0))
-        self._ground = _ground_of(self.path)
+        self._source = source_of(self.path)
+        self._grid = lru_cache(KEPT)(self._source.grid)
         mesh = self.grid(View())
         fields = _fields(mesh)
-        self.choices = Choices(fields, _techniques(mesh, fields), tuple(presets()), _times(self.path), self._is_globe,
-                               self._is_globe and self._terrain(View()) is not None)
+        self.choices = Choices(fields, _techniques(mesh, fields), tuple(presets()), self._source.times, self._source.is_globe,
+                               self._source.is_globe and self._terrain(View()) is not None)
 
     def grid(self, view: View) -> pyvista.DataSet:
         """The data at the time of the view: on a globe with the view's exaggeration, or unchanged from the file."""
@@ -62,28 +51,13 @@ class Scene:
     def add_to(self, plotter: pyvista.BasePlotter, view: View) -> None:
         """Adds the contents of the view to an empty plotter."""
         grid = self.grid(view)
-        if self._is_globe:
+        if self.choices.globe:
             self._add_ground(plotter, view)
         _ADD[view.technique](plotter, grid, view)
 
-    def _read_file(self, time: int) -> pyvista.DataSet:
-        try:
-            with _silence():
-                mesh = _reader(self.path)(time)
-        except Exception as error:  # readers raise errors of any type
-            raise ValueError(_unreadable(self.path, error)) from error
-        mesh = wrapped(mesh, merge_points=False)
-        if not isinstance(mesh, pyvista.DataSet) or mesh.n_points == 0:
-            raise ValueError(f"{self.path} cannot be read, or has no points to draw.")
-        return mesh
-
-    def _make_grid(self, time: int, exaggeration: float) -> pyvista.DataSet:
-        mesh = self._read(time)
-        return to_globe(mesh, vertical_exaggeration=exaggeration, surface=self._ground) if self._is_globe else mesh
-
     def _terrain(self, view: View) -> pyvista.DataSet | None:
         try:
-            return None if self._ground is None else terrain_surface(self._ground, vertical_exaggeration=view.exaggeration)
+            return None if self._source.ground is None else terrain_surface(self._source.ground, vertical_exaggeration=view.exaggeration)
         except ValueError:  # no height of the ground
             return None
 
@@ -123,77 +97,9 @@ def _look(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> None:
     plotter.reset_camera_clipping_range()
 
 
-def one_sentence(message: object) -> str:
-    """The message on one line."""
-    return " ".join(str(message).split())
-
-
 def camera_of(plotter: pyvista.BasePlotter) -> tuple[float, ...]:
     """As View has it."""
     return tuple(float(number) for vector in plotter.camera_position for number in vector)
-
-
-@contextmanager
-def _silence() -> Iterator[None]:
-    """Suppresses the output of VTK's readers; the error is reported in one sentence."""
-    with warnings.catch_warnings(), pyvista.vtk_verbosity("off"):
-        warnings.simplefilter("ignore")
-        disabled = logging.root.manager.disable
-        logging.disable(logging.CRITICAL)
-        try:
-            yield
-        finally:
-            logging.disable(disabled)
-
-
-def _reader(path: Path) -> Callable[[int], Any]:
-    """Reads the file at a time step."""
-    if _is_netcdf(path):
-        return lambda time: read_cf(path, time_step=time)
-    if path.suffix.lower() == ".vdb":
-        return lambda time: read_vdb(path)
-    return lambda time: pyvista.read(path)
-
-
-def _unreadable(path: Path, error: Exception) -> str:
-    """What a file is that is not drawn, by its first bytes, or what its reader says of it."""
-    start = first_bytes(path)
-    if format_of(start) and not _is_netcdf(path):
-        return f"{path} is {format_of(start)}. {OF_WEATHER}" if format_of(start) == "GRIB" else f"{path} is NetCDF. Give it a name that ends with .nc."
-    if path.suffix.lower() in (*ENDINGS, *NETCDF, ".vdb"):
-        return f"{path} cannot be read: {one_sentence(error)}"
-    return refusal(path, start, READS)
-
-
-def _is_netcdf(path: Path) -> bool:
-    return path.suffix.lower() in NETCDF
-
-
-def _times(path: Path) -> tuple[str, ...]:
-    return tuple(cf_times(path)) if _is_netcdf(path) else ()
-
-
-def _dimensions(path: Path) -> list[list[str]]:
-    """Dimensions of the variables of a NetCDF file, the longest first."""
-    shapes = [shape.strip("()").replace(" ", "").split(",") for shape in cf_shapes(path)]
-    return sorted(shapes, key=len, reverse=True)
-
-
-def _is_on_a_globe(path: Path, mesh: pyvista.DataSet) -> bool:
-    """True for longitudes and latitudes: axes with these names, or curvilinear rows, whose coordinates the reader takes from two variables."""
-    if not _is_netcdf(path) or not isinstance(mesh, (pyvista.ImageData, pyvista.RectilinearGrid, pyvista.StructuredGrid)):
-        return False
-    named = any(name.lower().startswith("lat") for name in _dimensions(path)[0])
-    low, high = mesh.bounds[2:4]
-    return (named or isinstance(mesh, pyvista.StructuredGrid)) and -90.1 <= low <= high <= 90.1
-
-
-def _ground_of(path: Path) -> pyvista.DataSet | None:
-    """The fields without levels, on the last two dimensions of the others; None if there are none."""
-    shapes = _dimensions(path) if _is_netcdf(path) else []
-    if not shapes or len(shapes[0]) < 3 or shapes[0][-2:] not in shapes:
-        return None
-    return read_cf(path, dimensions=shapes[0][-2:], time_step=0)
 
 
 def _fields(mesh: pyvista.DataSet) -> tuple[str, ...]:
