@@ -205,7 +205,7 @@ class Refusals(unittest.TestCase):
         self.assertEqual(dataset.nephoscope.globe(time="2020-01-01T06")["ta"].max(), 260)
         self.assertEqual(dataset.nephoscope.globe(time=-1)["ta"].max(), 260)
         self.raises("none of the 2 times.*06:00", lambda: dataset.nephoscope.globe(time="2021-01-01"))
-        self.raises("time is 2; the dataset has 2", lambda: dataset.nephoscope.globe(time=2))
+        self.raises("time is 2, but the dataset has 2 times", lambda: dataset.nephoscope.globe(time=2))
         self.raises("'time' has no dates", lambda: dataset.assign_coords(time=[0.0, 6.0]).nephoscope.globe(time="2020"))
 
     def test_more_dimensions(self):
