@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # NEPHOSCOPE_PRELOAD: the libraries, separated by colons, that programs not built here must load first (LD_PRELOAD). Ours are
 # named without their folder, which may have spaces, and found by LD_LIBRARY_PATH in NEPHOSCOPE_PRELOAD_FOLDER.
-# The tests set both, and the script `nephoscope` does so for the hosts, reading them in the cache.
+# The script `nephoscope` sets both for the hosts, from the cache. The tests set NEPHOSCOPE_TEST_PRELOAD, which has one library more.
 set(NEPHOSCOPE_PRELOAD_FOLDER "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/preload" CACHE INTERNAL "Where our libraries to preload are")
 set(nephoscope_preload)
 # The runtime of the sanitizer, because Python was built without it. It must be the first.

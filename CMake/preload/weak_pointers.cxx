@@ -88,7 +88,7 @@ public:
     Index& index = indices()[object];
     if (!list[few])
     {
-      index = NewIndex(list); // what is there may be that of an object that VTK has deleted
+      index = NewIndex(list); // the old index may belong to a deleted object with the same address
     }
     index.List = list = withRoom(list, index.Count);
     index.Places[pointer] = index.Count;

@@ -120,7 +120,7 @@ class Files(unittest.TestCase):
                     self.assertGreater(self.picture(scene, technique=technique).std(), 2, technique)
 
     def test_weather_that_vtk_does_not_read(self):
-        """Four dimensions of which none is a time for VTK, no ending, and a flat grid of a model: as `nephoscope.open` reads them."""
+        """A file with four dimensions, none of which is a time for VTK, is read as `nephoscope.open` reads it, with or without an ending."""
         months, levels, lats, lons = [1, 7], [850.0, 500, 200], np.arange(60, -61, -20.0), np.arange(0, 360, 30.0)
         wind = np.ones((2, 3, 7, 12)) * np.cos(np.radians(lats))[:, None] * np.array([10, 20])[:, None, None, None]
         places = {"month": months, "level": ("level", levels, {"units": "millibars"}), "latitude": ("latitude", lats, {"units": "degrees_north"}), "longitude": ("longitude", lons, {"units": "degrees_east"})}

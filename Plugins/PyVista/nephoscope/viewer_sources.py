@@ -62,7 +62,7 @@ class MeshFile:
 
 
 class WeatherFile:
-    """As `MeshFile`, for the weather in a NetCDF or GRIB file."""
+    """Like `MeshFile`, for weather in a NetCDF or GRIB file, read by `nephoscope.open`."""
     ground = None
 
     def __init__(self, path: Path) -> None:
@@ -73,7 +73,7 @@ class WeatherFile:
         self.is_globe = "GlobeGridProjection" in self.grid(0, 1.0).field_data
 
     def grid(self, time: int, exaggeration: float) -> pyvista.DataSet:
-        """As that of `MeshFile`; a flat grid has its own heights."""
+        """Like `MeshFile.grid`; heights of a flat grid are not exaggerated."""
         accessor = self._dataset.nephoscope
         return accessor.mesh(**({"time": time} if self.times else {}), vertical_exaggeration=1.0 if accessor._is_flat({}) else exaggeration)
 

@@ -124,7 +124,7 @@ def are_columns(grid: pyvista.DataSet) -> bool:
 def size_of_level(grid: pyvista.UnstructuredGrid) -> tuple[int, int]:
     """The numbers of points and cells in a level of the grid that `columns` made."""
     first = grid.cell_connectivity[:grid.offset[1]]
-    points = int(first[len(first) // 2] - first[0])  # a corner is that many points below the one above it
+    points = int(first[len(first) // 2] - first[0])  # between a corner and the one above it
     return points, grid.n_cells // max(grid.n_points // points - 1, 1) if points > 0 else 0
 
 

@@ -73,7 +73,7 @@ class Frame:
     Raises
     ------
     TypeError
-        If `plotter` is none, or if it is given beside an option of a new picture.
+        If `plotter` is not a plotter, or if it is given together with an option of a new picture.
     """
     screenshot: str | None = None
     window_size: Sequence[int] | None = None
