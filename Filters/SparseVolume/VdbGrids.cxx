@@ -11,6 +11,13 @@ namespace nephoscope
 namespace
 {
 constexpr const char* unnamed = "unnamed"; // VTK's arrays need a name
+constexpr std::size_t longestName = 1000;  // bytes; OpenVDB reads up to 4 GiB from a damaged file
+constexpr std::size_t longestReason = 500;
+
+std::string abbreviated(const std::string& text, std::size_t length)
+{
+  return text.size() <= length ? text : text.substr(0, length) + "...";
+}
 
 std::string className(const openvdb::GridBase& grid)
 {
@@ -60,7 +67,7 @@ void StartOpenVDB()
 std::string Reason(const std::exception& exception)
 {
   const std::string what = exception.what();
-  return what.empty() ? "OpenVDB gives no reason" : what;
+  return what.empty() ? "OpenVDB gives no reason" : abbreviated(what, longestReason);
 }
 
 // OpenVDB multiplies row vectors from the left: its matrices are transposed.
@@ -147,6 +154,13 @@ std::string VdbArchive::KeyOf(const std::string& name) const
 VdbGridInfo VdbArchive::ListOne(const std::string& key)
 {
   VdbGridInfo info;
+  if (key.size() > longestName)
+  {
+    info.Name = abbreviated(key, longestReason);
+    info.Refusal = "its name has " + std::to_string(key.size()) + " bytes, more than " +
+      std::to_string(longestName) + "; the file may be damaged";
+    return info;
+  }
   const std::string name = key.empty() ? unnamed : key;
   try
   {

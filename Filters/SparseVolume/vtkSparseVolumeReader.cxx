@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <climits>
 #include <cstring>
+#include <new>
 #include <sstream>
 
 using nephoscope::AffineMatrix;
@@ -116,6 +117,22 @@ std::string readImage(
   image->SetSpacing(spacing);
   image->SetDirectionMatrix(direction);
   return nephoscope::ReadVdbImage(request, image, warnings);
+}
+
+std::string read(
+  const nephoscope::VdbRequest& request, vtkDataObject* output, std::vector<std::string>& warnings)
+{
+  try
+  {
+    vtkImageData* image = vtkImageData::SafeDownCast(output);
+    return image ? readImage(request, image, warnings)
+                 : nephoscope::ReadVdbPoints(request, vtkPolyData::SafeDownCast(output), warnings);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return "There is not enough memory for the grids of '" + request.File +
+      "': choose fewer of them.";
+  }
 }
 
 // The problem with a file name, or an empty string.
@@ -399,12 +416,8 @@ int vtkSparseVolumeReader::RequestData(
     self.CheckChoice(this->GridSelection, request.Grids, this->OutputType == IMAGE, warnings);
   if (error.empty() && !request.Grids[0].IsEmpty())
   {
-    vtkInformation* info = outputs->GetInformationObject(0);
-    nephoscope::withThreads([&]() {
-      error = this->OutputType == IMAGE
-        ? readImage(request, vtkImageData::GetData(info), warnings)
-        : nephoscope::ReadVdbPoints(request, vtkPolyData::GetData(info), warnings);
-    });
+    vtkDataObject* output = vtkDataObject::GetData(outputs);
+    nephoscope::withThreads([&]() { error = read(request, output, warnings); });
   }
   for (const std::string& warning : warnings)
   {

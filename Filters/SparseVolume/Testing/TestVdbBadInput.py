@@ -56,6 +56,11 @@ class BadFiles(VdbTestCase):
         none = lambda r: (r.UpdateInformation(), r.GetGridSelection().DisableAllArrays())
         self.read(none, ["No grid of", "'s'"])
 
+    def test_name_of_many_bytes(self):
+        """Bytes that are damaged can give a name of gigabytes, which no message can hold."""
+        self.write(vf.image({"s" * 5000: np.ones(8, "f4")}, (2, 2, 2)))
+        self.read(expect=["its name has 5000 bytes, more than 1000; the file may be damaged", "ss...' is left out", "No grid of"])
+
     def test_too_large(self):
         data = vf.particles([[0, 0, 0], [1e6, 1e6, 1e6]])
         self.write(data, lambda w: w.SetVoxelSize(1))
