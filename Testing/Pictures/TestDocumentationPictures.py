@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""TestDocumentationPictures.py HOST: runs every snippet of the documentation and compares its picture with Testing/Baselines.
+"""TestDocumentationPictures.py HOST [NAME...]: runs every snippet of the documentation, or those named, and compares its picture with
+Testing/Baselines.
 
 On a failure the new picture, and old, new and difference side by side, are kept in the output folder of the tests and named.
 `./nephoscope baselines` refreshes the baselines.

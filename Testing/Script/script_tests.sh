@@ -104,6 +104,23 @@ test_usage()
   expect "status 2 for an option without its value" [ $STATUS -eq 2 ]
 }
 
+# Without arguments the tests of Testing/long_tests.txt are left out, and each of them is a test of this build.
+test_long_tests()
+{
+  # shellcheck source=/dev/null
+  source "$TOP/CMake/script/tests.sh"
+  local known
+  known=$(ctest --test-dir "$NEPHOSCOPE_BUILD" --show-only | sed -n 's/^ *Test *#[0-9]*: //p')
+  expect "long tests that the build has" [ -z "$(long_tests | grep -vxF -e "$known")" ]
+  choose_tests
+  expect "a test left out" eval "echo Script_tidy | grep -qE '${CHOSEN[1]}'"
+  expect "no other test left out" eval "! echo TestTidy Script_tidyness | tr ' ' '\n' | grep -qE '${CHOSEN[1]}'"
+  choose_tests --all
+  expect "all tests" [ ${#CHOSEN[@]} -eq 0 ]
+  choose_tests -R Script_tidy
+  expect "the tests that are asked for" [ "${CHOSEN[*]}" = "-R Script_tidy" ]
+}
+
 # Each grid and length of the time series has a file of its own.
 test_forecast_files()
 {
