@@ -44,6 +44,40 @@ class FlatDatasets(unittest.TestCase):
         self.addCleanup(plotter.close)
         return plotter
 
+    def warm(self):
+        """A temperature that is known at each height, below a mountain at the second time missing."""
+        warmth = np.broadcast_to((290 + 0.02 * Z)[:, None, None], (len(Z), len(Y), len(X))) + np.array([0, 5])[:, None, None, None]
+        warmth[1, :3, :, -4:] = np.nan
+        return simulation(ta=(("time", "z", "y", "x"), warmth, {"units": "K", "standard_name": "air_temperature"})).assign_coords(time=[0.0, 60.0])
+
+    def test_temperatures_are_on_the_faces(self):
+        for options, faces in (({}, True), ({"opacity": "linear"}, False), ({"contours": [295]}, False)):
+            with self.subTest(**options):
+                plotter = self.plotter()
+                self.warm().isel(time=0).nephoscope.plot("ta", plotter=plotter, **options)
+                drawn = [actor.mapper.dataset for actor in plotter.renderer.actors.values() if hasattr(actor, "mapper") and "ta" in getattr(actor.mapper.dataset, "array_names", ())]
+                self.assertEqual([isinstance(mesh, pyvista.PolyData) for mesh in drawn], [faces])
+                self.assertEqual("outer faces" in next(iter(plotter.scalar_bars.values())).GetTitle(), faces)
+                if faces:
+                    np.testing.assert_allclose(drawn[0]["ta"], 290 + 0.02 * drawn[0].points[:, 2], rtol=1e-6)
+                    np.testing.assert_allclose(drawn[0].volume, np.ptp(X) * np.ptp(Y) * np.ptp(Z), rtol=1e-6)  # closed, and seen from outside
+                    actor = next(actor for actor in plotter.renderer.actors.values() if getattr(getattr(actor, "mapper", None), "dataset", None) is drawn[0])
+                    plotter.render()
+                    self.assertFalse(actor.HasTranslucentPolygonalGeometry(), "the faces behind are seen through those in front")
+
+    def test_temperatures_on_the_faces_in_time(self):
+        """The range is that of all times; where a time has no values, it has no faces."""
+        plotter = self.plotter()
+        with tempfile.TemporaryDirectory() as folder:
+            series = nephoscope.animate(plotter, self.warm(), "ta", filename=folder, progress=False)
+        self.addCleanup(series.close)
+        np.testing.assert_allclose(series.range("ta"), (290 + 0.02 * Z[0], 295 + 0.02 * Z[-1]))
+        whole = np.ptp(X) * np.ptp(Y) * np.ptp(Z)
+        for step, volume in ((0, whole), (1, whole - 4 * 100.0 * np.ptp(Y) * 150.0), (0, whole)):
+            series.show(step)
+            np.testing.assert_allclose(series.mesh.volume, volume, rtol=1e-6)
+            np.testing.assert_allclose(series.mesh["ta"], 290 + 5 * step + 0.02 * series.mesh.points[:, 2], rtol=1e-6)
+
     def test_any_order_and_unit_of_length(self):
         for order in map("".join, itertools.permutations("xyz")):
             for units, factor in (("m", 1), ("km", 1000), ("metres", 1), ("kilometers", 1000)):

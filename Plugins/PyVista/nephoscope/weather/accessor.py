@@ -257,7 +257,8 @@ class WeatherAccessor:
             of the thermosphere, and more for water below the sea level, so that its sides are seen. For a flat grid 1, but more for one that is lower than a tenth of its width (a fifth in a section); the picture tells it.
         opacity, cmap, clim : optional
             As in `nephoscope.add_cells`. Water below the sea level is opaque by default, unless the field is zero almost everywhere.
-            Temperatures of the air are drawn in the lowest level above the ground, unless ``opacity`` or another option of volumes is given.
+            Temperatures of the air are drawn in the lowest level above the ground, and on the outer faces of a flat grid, unless ``opacity`` or another option of
+            volumes is given.
         window_size : sequence of 2 int, optional
             Width and height of the picture in pixels. Default: (800, 800), and less high for a map that is wider than high.
         view : sequence of 2 float, str or sequence, optional

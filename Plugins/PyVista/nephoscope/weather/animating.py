@@ -20,10 +20,11 @@ from .._film_motion import motion
 from .._options import refuse_unknown
 from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
-from .lowest import fills_the_air
-from .lowest_series import LowestSeries
+from .faces import fills_the_box, outer_faces
+from .lowest import fills_the_air, lowest_level
 from .mesh_series import MeshSeries, is_meshes, mesh_series
 from .one_level import one_level
+from .reduced_series import ReducedSeries
 from .section_series import SectionSeries
 from .sections import as_section, axis_of_section
 from .series import Series
@@ -139,13 +140,17 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
         options = {"vertical_exaggeration": section.nephoscope._exaggeration(options), **options}
     options = {"heights": heights, "owned": found is not dataset, **options}
     series = DatasetSeries(section, **options)
-    if whole and "GlobeGridProjection" in series.mesh.field_data and axis_of_section(series.mesh):
+    if not whole:
+        return series, draw
+    on_earth = "GlobeGridProjection" in series.mesh.field_data
+    if on_earth and axis_of_section(series.mesh):
         series.stop()
         from .flat_picture import shape_of_section
-        series = SectionSeries(section, shape_of_section(plotter), **options)
-    elif whole and "GlobeGridProjection" in series.mesh.field_data and fills_the_air(series.mesh, draw, look):
-        series.stop()
-        series = LowestSeries(section, draw, **options)
+        return SectionSeries(section, shape_of_section(plotter), **options), draw
+    for fills, reduced in ((fills_the_air, lowest_level),) if on_earth else ((fills_the_box, outer_faces),):
+        if fills(series.mesh, draw, look):
+            series.stop()
+            return ReducedSeries(section, lambda mesh: reduced(mesh, draw), **options), draw
     return series, draw
 
 

@@ -10,10 +10,12 @@ import pyvista
 
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
+from .._over_time import follows
 from .bars import finish_bars, make_room
 from .exaggeration import say
+from .faces import FACES, fills_the_box, outer_faces
 from .look import surface_look, with_share
-from .picture import BESIDE, refuse_volume, without_missing
+from .picture import BESIDE, VOLUME, refuse_volume, without_missing
 from .scales import add_scales
 from .section_ground import LAND, ground_of, visible
 from .sections import unrolled
@@ -60,9 +62,14 @@ def draw_section(plotter: pyvista.BasePlotter, sheet: pyvista.StructuredGrid, sc
 
 
 def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
-    """The field as a volume in the outline of its grid, seen from the south and from above; a field of one level or a section as a surface."""
+    """The field as a volume in the outline of its grid, seen from the south and from above, or on the faces of the grid if it fills all of it; a field of one level or a section as a surface."""
     options = {"scalar_bar_args": BESIDE, **options}
-    if cell_dimension(grid) == 3:
+    name = default_scalars(grid)[1] if scalars is None else scalars
+    if not follows(grid) and fills_the_box(grid, name, options, VOLUME):
+        grid = outer_faces(grid, name)
+    if FACES in grid.field_data:
+        title = _draw_faces(plotter, grid, name, options, title)
+    elif cell_dimension(grid) == 3:
         _draw_volume(plotter, grid, scalars, options)
     else:
         flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
@@ -79,6 +86,21 @@ def _draw_volume(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: s
     plotter.add_mesh(ground, color=GROUND, lighting=False)
     plotter.add_mesh(grid.outline(), color="grey")
     add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
+    _look_from_the_south(plotter)
+
+
+def _draw_faces(plotter: pyvista.BasePlotter, faces: pyvista.PolyData, name: str, options: dict, title: Callable[[str], str]) -> Callable[[str], str]:
+    """Returns the titles of scalar bars."""
+    association = association_of(faces, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
+    look = surface_look(plotter, faces, name, association, options, over_ground=False)
+    plotter.add_mesh(faces.outline(), color="grey")
+    plotter.add_mesh(faces, scalars=name, **{"lighting": False, **look})
+    _look_from_the_south(plotter)
+    of_volume = with_share(title, faces, name, association, options, look)
+    return lambda array: f"{of_volume(array)}\nouter faces"
+
+
+def _look_from_the_south(plotter: pyvista.BasePlotter) -> None:
     plotter.view_vector((0.45, -1, 0.4), viewup=(0, 0, 1))
     plotter.add_axes()
     plotter.camera.zoom(0.84)

@@ -20,7 +20,12 @@ FILLING = ("temperature",)  # presets of such fields
 def fills_the_air(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
     """Whether a picture of the array `name` of a volume is better one of its lowest level, unless one of the `options` is `of_volumes` or the opacity. A structured grid has the array on points."""
     has_levels = min(grid.dimensions) > 1 and name in grid.point_data if isinstance(grid, pyvista.StructuredGrid) else are_columns(grid)
-    if not has_levels or is_sea(grid) or any(option in options for option in ("opacity", *of_volumes)):
+    return has_levels and not is_sea(grid) and is_filling(grid, name, options, of_volumes)
+
+
+def is_filling(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
+    """Whether the array `name` has values like those of a temperature everywhere, and none of the `options` is `of_volumes` or the opacity."""
+    if any(option in options for option in ("opacity", *of_volumes)):
         return False
     preset = preset_of_field(name, grid)
     return preset is not None and preset.name in FILLING

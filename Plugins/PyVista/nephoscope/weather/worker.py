@@ -47,13 +47,13 @@ class Worker:
         return {"times": times, "variables": reading.plain_variables(), "levels": levels}
 
     def mesh(self, file: str, step: int | None, levels: list[int], variables: list[str], options: dict) -> dict:
-        from nephoscope._blocks import cell_dimension
+        from nephoscope._blocks import cell_dimension, outer_surface
         dataset = self._dataset
         if self._level and (levels[0] > 0 or levels[1] < dataset.sizes[self._level] - 1):
             dataset = dataset.isel({self._level: slice(max(0, levels[0]), levels[1] + 1)})
         grid = dataset.nephoscope.globe(variables=variables, **({} if step is None else {"time": step}), **options)
         if cell_dimension(grid) < 3 and grid.GetClassName() == "vtkUnstructuredGrid":
-            grid = grid.extract_surface(pass_pointid=False, pass_cellid=False)  # so that ParaView draws it as a surface
+            grid = outer_surface(grid)  # so that ParaView draws it as a surface
         grid.save(file)
         return {"kind": grid.GetClassName()}
 
