@@ -105,6 +105,24 @@ class Sections(unittest.TestCase):
                 _, sheet = self.drawn(section)
             np.testing.assert_array_equal(np.asarray(sheet["BelowGround"]) > 0, np.asarray(sheet.points)[:, 2] / np.ptp(sheet.points[:, 2]) * 14 < 2.9)
 
+    def test_the_ground_below_levels_that_follow_it(self):
+        """A mountain fills what is below the levels, up to the height that the file has for it; the levels begin above it."""
+        ground = 2000 * np.exp(-((LAT / 20) ** 2))
+        heights = 10 + ground[:, None] + HEIGHTS[:, None, None] * (1 - ground[:, None] / 14000)
+        data = dataset().assign(orog=(("lat", "lon"), np.repeat(ground[:, None], len(LON), axis=1), {"units": "m", "standard_name": "surface_altitude"}),
+                                height=(("level", "lat", "lon"), np.repeat(heights, len(LON), axis=2), {"units": "m", "standard_name": "altitude"}))
+        for section in (data.sel(lon=10), data.mean("lon", keep_attrs=True)):
+            for options in ({}, {"projection": "map"}, {"vertical_exaggeration": 7.0}):
+                with self.subTest(**options):
+                    plotter, sheet = self.drawn(section, **options)
+                    (land,) = [actor.mapper.dataset for actor in plotter.renderer.actors.values() if getattr(getattr(actor, "mapper", None), "dataset", None) is not None
+                               and isinstance(actor.mapper.dataset, pyvista.StructuredGrid) and not actor.mapper.dataset.array_names]
+                    places, lowest = np.asarray(land.points)[len(LAT):], np.asarray(sheet.points)[: len(LAT)]
+                    np.testing.assert_allclose(places[:, 0], LAT, atol=1e-3)
+                    unit = np.ptp(lowest[:, 2]) / np.ptp(ground)
+                    np.testing.assert_allclose(lowest[:, 2] - places[:, 2], np.minimum(10, ground - ground.min()) * unit, atol=0.5 * unit)
+                    self.assertTrue((places[:, 1] < 0).all(), "it is hidden by the section")
+
     def test_across_the_date_line(self):
         data = dataset().assign_coords(lon=("lon", np.arange(150.0, 235, 5), {"units": "degrees_east"})).sel(lat=0)
         _, sheet = self.drawn(data)

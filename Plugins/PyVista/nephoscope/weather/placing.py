@@ -23,6 +23,7 @@ from .winds import winds
 
 NEAR = 1.0  # m: points that much below the ground are on it, such as a level at the ground
 HEIGHT = "geometric_height"  # the array that passes the heights to `to_globe`
+GROUND = "GroundOfColumns"  # field array of a section: the height of the ground below each column, in m; not of levels that are pressures or heights
 
 
 def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: dict[str, np.ndarray], options: dict) -> pyvista.StructuredGrid:
@@ -43,6 +44,8 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     for name, values in extra.items():
         add(mesh, name, values, order)
         note_look(mesh, reading.dataset, name)
+    if _is_section_over_ground(mesh, reading, air):
+        add(mesh, GROUND, np.broadcast_to(air.terrain, air.shape), order)
     names = _add_winds(mesh, reading, air, order)
     height = HEIGHT
     if IS_SEA in mesh.field_data:
@@ -66,10 +69,17 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     if not hides:
         grid.point_data["BelowGround"] = np.zeros(grid.n_points, np.uint8)
     del grid.point_data[HEIGHT]
+    if GROUND in grid.point_data:
+        grid.field_data[GROUND] = np.array(grid.point_data.pop(GROUND)[: grid.n_points // grid.dimensions[2]], float)
     if grid.point_data.active_scalars_name is None:
         choose_active_scalars(grid)
     _forget_wind(grid, names, calm)
     return grid
+
+
+def _is_section_over_ground(mesh: pyvista.DataSet, reading: Reading, air: Air) -> bool:
+    levels = reading.vertical is not None and reading.vertical.kind not in ("pressure", "height", "depth", "ocean sigma")
+    return levels and 1 in mesh.dimensions[:2] and air.terrain is not None
 
 
 def _without_fold(reading: Reading, mesh: pyvista.DataSet | None) -> pyvista.DataSet | None:

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The land and the sea floor in a section: what lies below the water, and what of the air lies below the ground."""
+"""The land and the sea floor in a section: what lies below the water, and what lies below the ground."""
 from __future__ import annotations
 
 import numpy as np
 import pyvista
 
 from .._over_time import follows
+from .placing import GROUND
 from .prisms import HIDDEN_POINT
 from .sea import is_sea
 
@@ -14,9 +15,12 @@ LAND = (0.42, 0.38, 0.34)  # seen before black and before white
 
 
 def ground_of(sheet: pyvista.StructuredGrid) -> list[pyvista.DataSet]:
-    """What is land in a section: all behind the water, and in front of the air what is below points that are below the ground."""
+    """What is land in a section: all behind the water, and in front of the air what is below the ground, or below points that are, where the height of the ground is not known."""
     if is_sea(sheet):
         return [_moved(_quads(sheet), 1), _moved(_under(sheet, sheet.points[: _columns(sheet), 2]), 1)]
+    if GROUND in sheet.field_data:
+        heights = np.maximum(sheet.field_data[GROUND], sheet.bounds[4])
+        return [_moved(_under(sheet, heights), -1)] if heights.max() > sheet.bounds[4] else []
     below = np.asarray(sheet.point_data.get("BelowGround", np.zeros(sheet.n_points))) > 0
     heights = np.where(below, sheet.points[:, 2], sheet.bounds[4]).reshape(-1, _columns(sheet)).max(axis=0)
     return [_moved(_under(sheet, heights), -1)] if np.ptp(heights) > 0 else []

@@ -9,6 +9,7 @@ import numpy as np
 import pyvista
 
 from ..globe import EARTH_RADIUS, is_map, planet_radius
+from .placing import GROUND
 from .scales import meridian, parallel
 from .sea import is_sea
 
@@ -52,9 +53,12 @@ def unrolled(grid: pyvista.StructuredGrid, shape: float, scales: Scales | None =
         unit = ("m", 1.0) if is_sea(grid) or np.nanmax(np.abs(heights)) < SHALLOW else ("km", 1000.0)
         scales = {"x": (title, 1.0), "z": (unit[0], shape * (_extent(across) or 1.0) / (_extent(heights / unit[1]) or 1.0))}
     unit, scale = scales["z"]
+    scale /= 1.0 if unit == "m" else 1000.0
     sheet = grid.copy(deep=False)
     across = np.tile(across, len(heights))
-    sheet.points = np.column_stack((across, 0 * across, np.ravel(scale * heights / (1.0 if unit == "m" else 1000.0))))
+    sheet.points = np.column_stack((across, 0 * across, np.ravel(scale * heights)))
+    if GROUND in grid.field_data:
+        sheet.field_data[GROUND] = scale * np.asarray(grid.field_data[GROUND])
     return sheet, scales
 
 
