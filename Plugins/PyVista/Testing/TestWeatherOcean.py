@@ -170,6 +170,14 @@ class Ocean(unittest.TestCase):
         self.assertEqual(given.mapper.dataset.field_data["VerticalExaggeration"][0], 30)
         self.assertEqual(given.renderer.actors[next(name for name, one in given.renderer.actors.items() if isinstance(one, pyvista.Volume))].prop.GetScalarOpacity().GetValue(4.0), 0)
 
+    def test_the_water_is_in_the_middle_of_the_picture(self):
+        """A coast in the west or in the east: the picture is that of the water."""
+        wet = np.where(LON < -30, np.nan, 0) + layers() + 0 * LAT[:, None]
+        for land, east in ((wet, 1), (wet[..., ::-1], -1)):
+            plotter, _ = self.plotted(ocean(land))
+            eastward = frames(-30.0, 30.0)[0]
+            self.assertGreater(east * (np.array(plotter.camera.focal_point) @ eastward), 2e5)
+
     def test_currents_and_salinity(self):
         for name, standard, value in (("so", "sea_water_salinity", 35.0), ("uo", "eastward_sea_water_velocity", 0.5)):
             plotter, picture = self.plotted(ocean(value * layers(1.0, 0.2), name, standard), name)

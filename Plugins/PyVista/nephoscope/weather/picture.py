@@ -122,7 +122,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     if limits is not None:
         _finish_map(plotter, grid, limits)
     if on_globe and (view is None or is_place(view)):
-        look_down(plotter, grid, _finite(grid), None if "sun" in options else name, view, sea)
+        look_down(plotter, grid, _seen(grid), None if "sun" in options else name, view, sea)
     elif view is None and limits is not None:
         _look_at_map(plotter, limits)
     elif view is not None:
@@ -174,6 +174,16 @@ def _add_map(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: b
 def _finite(grid: pyvista.DataSet) -> np.ndarray:
     points = np.asarray(grid.points)
     return points[np.isfinite(points).all(axis=1)]
+
+
+def _seen(grid: pyvista.DataSet) -> np.ndarray:
+    """The points that are not hidden, such as land in an ocean; all that have a place, if all are hidden."""
+    marks = grid.point_data.get("vtkGhostType")
+    if marks is None or follows(grid):
+        return _finite(grid)
+    points = np.asarray(grid.points)[np.asarray(marks) & HIDDEN_POINT == 0]
+    points = points[np.isfinite(points).all(axis=1)]
+    return points if len(points) else _finite(grid)
 
 
 def _look_at_map(plotter: pyvista.BasePlotter, limits: np.ndarray) -> None:
