@@ -335,7 +335,7 @@ private:
   void WarnOfCoarsening(double polygonEdgeLength, bool isMuch);
   void WarnOfLongEdges();
   void WarnOfLimit();
-  void WarnOfLeaving(const nephoscope::SmokeMesh& mesh, double diagonal);
+  void WarnOfLeaving(const nephoscope::SmokeMesh& mesh, const nephoscope::FlowField& field);
   void WarnOfObstacles(const nephoscope::SmokeReport& report, bool isMissing);
   bool WarnOfMissing(const nephoscope::FlowField& field);
   void WarnOfNothing(const nephoscope::SmokeReport& report);

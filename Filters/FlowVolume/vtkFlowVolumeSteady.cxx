@@ -14,6 +14,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -22,9 +23,32 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace
 {
+// A sentence for the air of a whole globe whose heights are hardly exaggerated: it is thinner than any smoke that can be seen.
+std::string remedyForThinAir(vtkDataObject* data)
+{
+  constexpr double little = 10.0;
+  const std::vector<vtkDataSet*> sets = nephoscope::DataSetsOf(data);
+  vtkFieldData* fields = sets.empty() ? nullptr : sets.front()->GetFieldData();
+  const auto value = [fields](const char* name, double otherwise) {
+    vtkDataArray* array = fields ? fields->GetArray(name) : nullptr;
+    return array && array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : otherwise;
+  };
+  const double exaggeration = value("VerticalExaggeration", little);
+  if (value("GlobeGridProjection", 1.0) != 0.0 || exaggeration >= little)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << " The air of a globe is thin: exaggerate its heights first (vertical exaggeration, now "
+       << exaggeration << ").";
+  return text.str();
+}
+
 // So much that the picture shows it: paths have corners, or folds of the smoke are missing.
 bool IsMuchCoarser(const nephoscope::WholeVolume& whole,
   const nephoscope::FlowVolumeSettings& automatic, const nephoscope::PolygonFlow& flow)
@@ -64,7 +88,7 @@ void vtkFlowVolume::MakeSteadyVolume(
   this->ReportSteady(whole);
   const bool isMissing = this->WarnOfMissing(*field);
   this->WarnOfObstacles(whole.Mesh.Report, this->Exchange().AnyTrue(isMissing));
-  this->WarnOfLeaving(whole.Mesh, field->Diagonal);
+  this->WarnOfLeaving(whole.Mesh, *field);
   if (whole.IsCoarser && !whole.Mesh.Report.LimitReached && !whole.Mesh.Report.Stopped &&
     !whole.Mesh.Tetrahedra.empty())
   {
@@ -196,7 +220,8 @@ void vtkFlowVolume::WarnOfObstacles(const nephoscope::SmokeReport& report, bool 
 }
 
 // Where it fills a small part of the data only because it has left them.
-void vtkFlowVolume::WarnOfLeaving(const nephoscope::SmokeMesh& mesh, double diagonal)
+void vtkFlowVolume::WarnOfLeaving(
+  const nephoscope::SmokeMesh& mesh, const nephoscope::FlowField& field)
 {
   constexpr double most = 0.5, small = 0.15; // of the smoke; of the diagonal
   const double left = (mesh.Report.LostMass - mesh.Report.ObstacleMass) / mesh.Report.EmittedMass;
@@ -206,15 +231,16 @@ void vtkFlowVolume::WarnOfLeaving(const nephoscope::SmokeMesh& mesh, double diag
     box.AddPoint(point[0], point[1], point[2]);
   }
   if (mesh.Report.Stopped || mesh.Tetrahedra.empty() || !(left > most) ||
-    box.GetDiagonalLength() > small * diagonal)
+    box.GetDiagonalLength() > small * field.Diagonal)
   {
     return;
   }
   vtkWarningMacro("Most of the smoke, "
     << std::round(100.0 * left)
     << " %, leaves the data at once, so that little of it is seen: it extends over "
-    << std::round(100.0 * box.GetDiagonalLength() / diagonal)
-    << " % of the diagonal of the data. Move the generating polygon (Center) upstream, or to where the flow goes far before it leaves the data.");
+    << std::round(100.0 * box.GetDiagonalLength() / field.Diagonal)
+    << " % of the diagonal of the data. Move the generating polygon (Center) upstream, or to where the flow goes far before it leaves the data."
+    << remedyForThinAir(field.Data));
 }
 
 void vtkFlowVolume::WarnOfLimit()

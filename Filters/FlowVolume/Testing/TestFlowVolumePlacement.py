@@ -6,6 +6,7 @@ import unittest
 import numpy as np
 from nephoscope import vtkFlowVolume, vtkFlowVolumePlacement
 from nephoscope_testing import meshes
+from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
@@ -136,6 +137,21 @@ class Placement(unittest.TestCase):
             smoke.SetDuration(duration)
             smoke.Update()
             self.assertEqual(len([text for text in warnings if "leaves the data at once" in text and "Center" in text]), expected, f"{center}, {warnings}")
+
+    def test_the_air_of_a_globe_is_thin(self):
+        """The message names the remedy where heights are hardly exaggerated, and on a globe alone."""
+        for projection, exaggeration, expected in ((0, 1, True), (0, 30, False), (1, 1, False)):
+            data = box(saddle)
+            for name, value in (("GlobeGridProjection", projection), ("VerticalExaggeration", exaggeration)):
+                array = numpy_to_vtk(np.array([float(value)]), deep=True)
+                array.SetName(name)
+                data.GetFieldData().AddArray(array)
+            with Messages() as messages:
+                smoke = vtkFlowVolume()
+                smoke.SetInputData(data)
+                smoke.SetCenter((-0.9, -0.8, 0.0))
+                smoke.Update()
+            self.assertEqual("exaggerate its heights first (vertical exaggeration, now 1)" in " ".join(messages.warnings), expected)
 
     def test_no_faster_place_is_left_for_nothing(self):
         """In a channel the smoke is in its middle, where the flow is fastest."""
