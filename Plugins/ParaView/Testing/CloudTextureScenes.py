@@ -12,7 +12,7 @@ def sheet():
 
 def sheet_view():
     """The sheet, from -0.5 to 0.5, fills it."""
-    view = new_view()
+    view = new_view((200, 200))
     view.CameraParallelProjection = 1
     view.CameraParallelScale = 0.5
     view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, 0, 10], [0, 0, 0], [0, 1, 0]

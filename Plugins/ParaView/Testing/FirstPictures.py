@@ -1,37 +1,47 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The first picture of a representation is sensible for any data: neither invisible nor opaque, nothing set but the choice."""
-from PluginTesting import GFS, check, color_and_alpha, compose, inside_mean_alpha, new_view, pvs
+import functools
+
+from PluginTesting import GFS, check, clear, color_and_alpha, compose, inside_mean_alpha, new_view, pvs
 
 # The mean alpha of the pixels that show anything.
 SENSIBLE = (0.25, 0.97)
 
 
-def check_first_picture(representation, name, source, array=("POINTS", "RTData")):
-    view = new_view()
+@functools.cache
+def small_view():
+    """One for all pictures, which takes less time than views of their own."""
+    return new_view((150, 150))
+
+
+def first_alpha(representation, source, array, opacities=None):
+    view = small_view()
     compose(source, view, array, representation)
+    if opacities:
+        pvs.GetOpacityTransferFunction(array[1]).Points = opacities
     pvs.ResetCamera(view)
-    mean = inside_mean_alpha(color_and_alpha(view)[1])
+    alpha = color_and_alpha(view)[1]
+    clear(view)
+    return alpha
+
+
+def check_first_picture(representation, name, source, array=("POINTS", "RTData")):
+    mean = inside_mean_alpha(first_alpha(representation, source, array))
     print(f"first picture of {name}: mean alpha {mean:.3f}", flush=True)
     check(SENSIBLE[0] < mean < SENSIBLE[1], f"{name}: mean alpha {mean:.3f} is outside {SENSIBLE}")
-    pvs.Delete(view)
 
 
 def check_constants(representation):
     """Equal values are a uniform medium; where the user has made a function that is 0 there, nothing is drawn."""
-    for k, value in enumerate(("0*coordsX", "0*coordsX + 1", "0*coordsX - 101325")):
-        wavelet = pvs.Wavelet(WholeExtent=[0, 5] * 3)
+    wavelet = pvs.Wavelet(WholeExtent=[0, 5] * 3)
+    for k, (value, association) in enumerate((("0*coordsX", "POINTS"), ("0*coordsX + 1", "CELLS"), ("0*coordsX - 101325", "POINTS"))):
         name = f"{representation} constant {k}"
         constant = pvs.Calculator(Input=wavelet, Function=value, ResultArrayName=name)
-        check_first_picture(representation, f"points with {value}", constant, ("POINTS", name))
-        cells = pvs.PointDatatoCellData(Input=constant)
-        check_first_picture(representation, f"cells with {value}", cells, ("CELLS", name))
-    view = new_view()
-    compose(constant, view, ("POINTS", name), representation)
-    pvs.GetOpacityTransferFunction(name).Points = [-101325, 0, 0.5, 0, 0, 1, 0.5, 0]
-    pvs.ResetCamera(view)
-    check(color_and_alpha(view)[1].max() < 0.01, "a function that is 0 at the only value does not count")
-    pvs.Delete(view)
+        source = constant if association == "POINTS" else pvs.PointDatatoCellData(Input=constant)
+        check_first_picture(representation, f"{association} with {value}", source, (association, name))
+    alpha = first_alpha(representation, constant, ("POINTS", name), [-101325, 0, 0.5, 0, 0, 1, 0.5, 0])
+    check(alpha.max() < 0.01, "a function that is 0 at the only value does not count")
 
 
 def check_thin(representation):
@@ -49,7 +59,7 @@ def check_first_pictures(representation, wavelet):
     check_first_picture(representation, "cell data", pvs.PointDatatoCellData(Input=wavelet), ("CELLS", "RTData"))
     check_first_picture(representation, "tetrahedra", pvs.Tetrahedralize(Input=wavelet))
     weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0),
-                                VOI=[0, 10**6] * 3, SampleRateI=2, SampleRateJ=2)
+                                VOI=[0, 10**6] * 3, SampleRateI=3, SampleRateJ=3)
     check_first_picture(representation, "GFS humidity, degrees and hPa", weather, ("POINTS", "r"))
     for exaggeration, array in ((1, "r"), (50, "clwmr")):
         globe = pvs.GlobeGrid(Input=weather, VerticalExaggeration=exaggeration)

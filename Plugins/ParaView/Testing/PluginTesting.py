@@ -98,11 +98,15 @@ def solid(display, color):
     display.DiffuseColor = display.AmbientColor = list(color)
 
 
+def render(view):
+    pvs.Render(view)
+    RENDERED.add(view.SMProxy)
+
+
 def image(view):
     """The picture of the view as floats in [0, 255], height x width x 3."""
     if view.SMProxy not in RENDERED:
-        RENDERED.add(view.SMProxy)
-        pvs.Render(view)  # the first of a session looks at its data; after it, capturing is rendering
+        render(view)  # the first of a session looks at its data; after it, capturing is rendering
     captured = view.SMProxy.CaptureWindow(1)
     width, height, _ = captured.GetDimensions()
     values = vtk_to_numpy(captured.GetPointData().GetScalars())

@@ -76,36 +76,37 @@ def check_bounds_hold_splats():
     check(alpha.max() > 0.2 and border.max() < 1.5 / 255, f"splats reach the border of the picture: {border.max()}")
 
 
-def flow():
-    return pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Flow", Function="-coordsY*iHat+coordsX*jHat")
+def flow(half=6):
+    return pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-half, half] * 3), ResultArrayName="Flow", Function="-coordsY*iHat+coordsX*jHat")
 
 
 def check_vectors_and_time(source):
-    view = new_view()
+    view = new_view((200, 200))
     display = compose(source, view, representation=SPLATS)
-    look(view, position=(0, 0, 100))
+    look(view, position=(0, 0, 60))
     plain = image(view)
     check("Flow" in display.GetProperty("TexturedSplatsVectorArray").GetAvailable(), "Flow is not among the vectors")
     check("RTData" not in display.GetProperty("TexturedSplatsVectorArray").GetAvailable(), "a scalar is among the vectors")
     display.TexturedSplatsVectorArray = "Flow"
     display.TexturedSplatsUseVectorColor = 1
     display.TexturedSplatsVectorColor = [0, 0, 0]
-    scene = pvs.GetAnimationScene()
     for style in ("Segments", "Streaks"):
         display.TexturedSplatsVectorStyle = style
         start = image(view)
         check(np.abs(start - plain).max() > 20, f"no {style}")
-        scene.AnimationTime = 0.25
+        view.ViewTime = 0.25
         moved = image(view)
         check(np.abs(start - moved).max() > 20, f"{style} do not move with the time")
-        scene.AnimationTime = 1.0
+        view.ViewTime = 1.0
         check_same(start, image(view), f"a whole loop of {style}")
-        scene.AnimationTime = 0.0
+        view.ViewTime = 0.0
+    pvs.GetAnimationScene().AnimationTime = 0.25
+    check_same(moved, image(view), "the time of the animation")
+    pvs.GetAnimationScene().AnimationTime = 0.0
     display.TexturedSplatsMoveWithTime = 0
     display.TexturedSplatsPhase = 0.25
     check_same(moved, image(view), "phase instead of time")
-    scene.AnimationTime = 0.0
-    check_true_speed(view, display, scene)
+    check_true_speed(view, display)
     return view, display
 
 
@@ -115,9 +116,9 @@ def check_few_steps():
         steps = f"times = [{', '.join(str(10.0 * i) for i in range(number))}]\ninformation = self.GetOutputInformation(0)\n"
         series = pvs.ProgrammableFilter(Input=flow(), CopyArrays=1, Script="", RequestInformationScript=steps + "for key, values in "
                                         "((self.GetExecutive().TIME_STEPS(), times), (self.GetExecutive().TIME_RANGE(), [times[0], times[-1]])):\n    information.Set(key, values, len(values))")
-        view = new_view()
+        view = new_view((200, 200))
         display = compose(series, view, representation=SPLATS)
-        look(view, position=(0, 0, 100))
+        look(view, position=(0, 0, 60))
         display.TexturedSplatsVectorArray = "Flow"
         pictures = []
         for step in range(number):
@@ -129,7 +130,7 @@ def check_few_steps():
         pvs.Delete(view)
 
 
-def check_true_speed(view, display, scene):
+def check_true_speed(view, display):
     """The way depends on the time and its scale; a whole loop is not the start; the key has words of its own."""
     display.TexturedSplatsPhase = 0
     start = image(view)
@@ -138,11 +139,11 @@ def check_true_speed(view, display, scene):
     display.TexturedSplatsMoveWithTime = 1
     for scale in (0, 0.1):
         display.TexturedSplatsTimeScale = scale
-        scene.AnimationTime = 0.5
+        view.ViewTime = 0.5
         moved = image(view)
         check(np.abs(start - moved).max() > 20, f"no motion with the time scale {scale}")
     display.TexturedSplatsTimeScale = 0.2
-    scene.AnimationTime = 0.25
+    view.ViewTime = 0.25
     check_same(moved, image(view), "twice the time scale for half the time")
     display.TexturedSplatsShowSpeedKey = 1
     display.TexturedSplatsSpeedUnit = "m/s"
@@ -153,7 +154,7 @@ def check_true_speed(view, display, scene):
     display.TexturedSplatsShowSpeedKey = 0
     check_same(moved, image(view), "speed key off again")
     display.TexturedSplatsTrueSpeed = 0
-    scene.AnimationTime = 0.0
+    view.ViewTime = 0.0
 
 
 def check_sizes():
@@ -296,7 +297,7 @@ check_alpha_formula()
 check_solid_color()
 check_bounds_hold_splats()
 check_hierarchy_and_radius()
-check_vector_colors(flow())
+check_vector_colors(flow(10))
 check_sizes()
 check_beside_translucent_surface()
 check_few_steps()
