@@ -1,22 +1,14 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The first picture of a representation is sensible for any data: neither invisible nor opaque, nothing set but the choice."""
-import functools
-
-from PluginTesting import GFS, check, clear, color_and_alpha, compose, inside_mean_alpha, new_view, pvs
+from PluginTesting import GFS, check, clear, color_and_alpha, compose, empty_view, inside_mean_alpha, pvs
 
 # The mean alpha of the pixels that show anything.
 SENSIBLE = (0.25, 0.97)
 
 
-@functools.cache
-def small_view():
-    """One for all pictures, which takes less time than views of their own."""
-    return new_view((150, 150))
-
-
 def first_alpha(representation, source, array, opacities=None):
-    view = small_view()
+    view = empty_view((150, 150))
     compose(source, view, array, representation)
     if opacities:
         pvs.GetOpacityTransferFunction(array[1]).Points = opacities

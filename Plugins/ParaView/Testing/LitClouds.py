@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Cloud Optics and Sunlight with nothing set, on good and bad data: a picture that shows something, or one sentence that says why not and what to do."""
-from PluginTesting import GFS, SIZE, check, image, listen, load_plugin, new_view, passed, pvs
+from PluginTesting import GFS, check, clear, empty_view, image, listen, load_plugin, new_view, passed, pvs, set_background
 
+SIZE = (150, 150)
 BACKGROUND = (0.32, 0.34, 0.43)
 messages = listen()
 
@@ -26,12 +27,13 @@ def tells(said, words):
 def lit(source, **options):
     """The share of the picture that shows anything, and the sentences."""
     messages.clear()
-    view = new_view(SIZE, BACKGROUND)
+    view = empty_view(SIZE)
+    set_background(view, BACKGROUND)
     pvs.Show(pvs.Sunlight(Input=pvs.CloudOptics(Input=source), **options), view)
     pvs.ResetCamera(view)
-    picture = image(view)
-    image(view)  # says nothing again
-    pvs.Delete(view)
+    pvs.Render(view)
+    picture = image(view)  # says nothing again
+    clear(view)
     return (abs(picture - picture[0, 0]).max(axis=2) > 8).mean(), sentences()
 
 

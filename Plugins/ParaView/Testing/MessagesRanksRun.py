@@ -5,7 +5,7 @@ from PluginTesting import load_plugin, pvs
 from PluginTesting import show_twice as show
 
 load_plugin()
-wavelet = pvs.Wavelet(WholeExtent=[-8, 8] * 3)
+wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
 show(pvs.CloudOptics(Input=wavelet))
 show(pvs.TextureCoordinateAdvection(Input=wavelet))
 show(pvs.CloudSurface(Input=pvs.Tetrahedralize(Input=wavelet)))  # which the filter before it must survive too
@@ -20,5 +20,5 @@ show(wavelet, "Cell Compositing", CellCompositingOpacityScale=-3)
 without = pvs.PassArrays(registrationName="without", Input=pvs.Calculator(Input=wavelet, ResultArrayName="x", Function="coordsX"), PointDataArrays=["x"])
 show(pvs.GroupDatasets(Input=[wavelet, without], BlockNames=["with", "without"]), "Textured Splats", ColorArrayName=["POINTS", "RTData"])
 negative = pvs.Calculator(Input=pvs.Tetrahedralize(Input=wavelet), ResultArrayName="Extinction", Function="if(coordsZ>1,-1,0.1)")
-show(pvs.Sunlight(Input=negative))
+show(pvs.Sunlight(Input=negative, MultipleScattering=0))
 print("RANK-DONE", flush=True)

@@ -42,9 +42,9 @@ def new_view(size=SIZE, background=(0, 0, 0)):
 
 
 @functools.cache
-def empty_view():
-    """One view for many pictures, each of which is followed by `clear`: in a third less time than views of their own."""
-    return new_view()
+def empty_view(size=SIZE):
+    """One view of each size for many pictures, each of which is followed by `clear`: in a third less time than views of their own."""
+    return new_view(size)
 
 
 def clear(view):
@@ -72,8 +72,8 @@ def look(view, position=(60, 45, 70), focal_point=(0, 0, 0)):
 
 
 def show_twice(source, representation=None, **settings):
-    """Two pictures in a view of their own, with these settings of the display; for what is told of them."""
-    view = new_view((40, 40))
+    """Two pictures, with these settings of the display; for what is told of them."""
+    view = empty_view((40, 40))
     display = pvs.Show(source, view)
     if representation:
         display.SetRepresentationType(representation)
@@ -81,7 +81,7 @@ def show_twice(source, representation=None, **settings):
         setattr(display, name, value)
     pvs.Render(view)
     pvs.Render(view)
-    pvs.Delete(view)
+    clear(view)
 
 
 def compose(source, view, array=("POINTS", "RTData"), representation=NAME):

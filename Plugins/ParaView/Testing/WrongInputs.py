@@ -3,7 +3,7 @@
 """An input that a filter cannot use: one message, with the remedy, however often the pipeline asks, and an empty result."""
 import re
 
-from PluginTesting import check, listen, load_plugin, new_view, passed, pvs, show_twice
+from PluginTesting import check, clear, empty_view, listen, load_plugin, passed, pvs, show_twice
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
 
@@ -48,10 +48,10 @@ def ask_often(result, render):
 
 
 def show_often(result):
-    view = new_view((40, 40))
+    view = empty_view((40, 40))
     pvs.Show(result, view)
     ask_often(result, lambda: pvs.Render(view))
-    pvs.Delete(view)
+    clear(view)
 
 
 def check_filter(name, kind, source, messages):
@@ -72,31 +72,31 @@ def check_filter(name, kind, source, messages):
 
 def check_representation(name, source, messages):
     messages.clear()
-    view = new_view((40, 40))
+    view = empty_view((40, 40))
     pvs.Show(source, view).SetRepresentationType(name)
     for _ in range(3):
         pvs.Render(view)
     check(len(messages) == 1 and "Nothing is drawn. The input is empty" in messages[0], f"{name} of nothing: {messages}")
-    pvs.Delete(view)
+    clear(view)
 
 
 def check_missing_array(name, messages):
     """A calculator that failed, or a name in a script: the medium is of one colour, and one message says why."""
     messages.clear()
-    view = new_view((40, 40))
+    view = empty_view((40, 40))
     display = pvs.Show(pvs.Wavelet(WholeExtent=[-4, 4] * 3), view)
     display.SetRepresentationType(name)
     display.ColorArrayName = ["POINTS", "gone"]
     for _ in range(3):
         pvs.Render(view)
     check(len(messages) == 1 and "no array 'gone'" in messages[0], f"{name} of a missing array: {messages}")
-    pvs.Delete(view)
+    clear(view)
 
 
 def check_contours_of_cells(messages):
     """A cell array has no surfaces inside cells; the panel offers contour values all the same."""
     messages.clear()
-    view, cells = new_view((40, 40)), pvs.PointDatatoCellData(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3))
+    view, cells = empty_view((40, 40)), pvs.PointDatatoCellData(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3))
     display = pvs.Show(cells, view)
     display.SetRepresentationType("Cell Compositing")
     pvs.ColorBy(display, ("CELLS", "RTData"))
@@ -107,13 +107,13 @@ def check_contours_of_cells(messages):
     for _ in range(3):
         pvs.Render(view)
     check(len(messages) == 1 and "apply Cell Data to Point Data" in messages[0], f"contours of a cell array: {messages}")
-    pvs.Delete(view)
+    clear(view)
 
 
 def check_contour_values(messages):
     """Values that belong to another array, or to none: told once, in the words of the panel, and not for values of which some are there."""
     source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3), ResultArrayName="x", Function="coordsX")
-    view = new_view((40, 40))
+    view = empty_view((40, 40))
     display = pvs.Show(source, view)
     display.SetRepresentationType("Cell Compositing")
     pvs.ColorBy(display, ("POINTS", "RTData"))
@@ -133,29 +133,29 @@ def check_contour_values(messages):
     for _ in range(2):
         pvs.Render(view)
     check(len(messages) == 1 and "No array is coloured" in messages[0], f"nothing to contour: {messages}")
-    pvs.Delete(view)
+    clear(view)
 
 
 def check_chain(made, expected, messages):
     """What comes after a filter that failed adds no reason of its own."""
     messages.clear()
-    view = new_view((40, 40))
+    view = empty_view((40, 40))
     pvs.Show(made, view)
     for _ in range(2):
         pvs.Render(view)
     check(len(messages) == 1 and expected in messages[0], f"after a failure, not one message with {expected!r}: {messages}")
-    pvs.Delete(view)
+    clear(view)
 
 
 def check_opacity(source, name, expected, messages):
     messages.clear()
-    view = new_view((40, 40))
+    view = empty_view((40, 40))
     display = pvs.Show(source, view)
     display.SetRepresentationType("Cell Compositing")
     display.CellCompositingOpacityArray = name
     pvs.Render(view)
     check(len(messages) == 1 and expected in messages[0] and "Opacity Array" in messages[0] and "Coloring" not in messages[0], f"{name}: {messages}")
-    pvs.Delete(view)
+    clear(view)
 
 
 def told_once(what, source, representation, expected, messages, **settings):
@@ -196,7 +196,7 @@ def check_moved_slice(messages):
     wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
     for source in (pvs.Slice(Input=wavelet), pvs.ExtractSubset(Input=wavelet, VOI=[-4, 4, -4, 4, 0, 0])):
         messages.clear()
-        view = new_view((40, 40))
+        view = empty_view((40, 40))
         pvs.Show(source, view).Representation = "Cell Compositing"
         pvs.Render(view)
         check(len(messages) == 1 and "Nothing is drawn: Cell Compositing needs 3-D cells" in messages[0], f"{source}: {messages}")
@@ -204,7 +204,7 @@ def check_moved_slice(messages):
             source.SliceType.Origin = [1, 0, 0]
         pvs.Render(view)
         check(len(messages) == 1, f"{source} in another place: {messages}")
-        pvs.Delete(view)
+        clear(view)
 
 
 def check_opacity_of_other_range(messages):
@@ -212,7 +212,7 @@ def check_opacity_of_other_range(messages):
     source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3), ResultArrayName="V", Function="5+0.1*(coordsX+4)+0.2*(coordsY+4)")
     for name in ("Cell Compositing", "Textured Splats"):
         messages.clear()
-        view = new_view((40, 40))
+        view = empty_view((40, 40))
         display = pvs.Show(source, view)
         pvs.ColorBy(display, ("POINTS", "RTData"))
         display.SetRepresentationType(name)
@@ -226,7 +226,7 @@ def check_opacity_of_other_range(messages):
         messages.clear()
         pvs.Render(view)
         check(messages == [], f"{name} with a function: {messages}")
-        pvs.Delete(view)
+        clear(view)
 
 
 def check_light(messages):
