@@ -4,6 +4,7 @@
 import tempfile
 import unittest
 import warnings
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from unittest import mock
 
@@ -87,6 +88,43 @@ class Grib(unittest.TestCase):
         ours = nephoscope.open(self.path)
         np.testing.assert_array_equal(theirs.gh.sortby("isobaricInhPa"), ours.gh)
         np.testing.assert_allclose(theirs.nephoscope.globe(time=1).points, ours.nephoscope.globe(time=1).points)
+
+    def winds_in_one_message(self):
+        """u and v of a level share a message, as in NCEP's files; the next message is a height."""
+        import eccodes as ec
+        single = Path(self.folder.name, "single.grib2")
+        fields = {"u": 10 + WAVES, "v": -20 + WAVES}
+        with self.path.open("wb") as out:
+            for level in (500, 850):
+                write_grib(single, [(name, "isobaricInhPa", level, values + level / 100) for name, values in fields.items()], REGULAR)
+                both = ec.codes_grib_multi_new()
+                with single.open("rb") as file:
+                    while (handle := ec.codes_grib_new_from_file(file)) is not None:
+                        ec.codes_grib_multi_append(handle, 4, both)
+                        ec.codes_release(handle)
+                ec.codes_grib_multi_write(both, out)
+                ec.codes_grib_multi_release(both)
+                write_grib(single, [("gh", "isobaricInhPa", level, 5500 + WAVES)], REGULAR)
+                out.write(single.read_bytes())
+        return fields
+
+    def test_several_fields_in_one_message(self):
+        """Each is read, also after cfgrib, which xarray asks about every file, has switched that off; from several threads at once too."""
+        import eccodes as ec
+        fields = self.winds_in_one_message()
+        dataset = nephoscope.open(self.path)
+        ec.codes_grib_multi_support_off()
+        cases = [(name, level) for name in fields for level in (500, 850)] * 10
+        with ThreadPoolExecutor(4) as threads:
+            for (name, level), read in zip(cases, threads.map(lambda case: dataset[case[0]].sel(isobaricInhPa=case[1]).values, cases)):
+                np.testing.assert_allclose(read.ravel(), fields[name] + level / 100, atol=1e-3)
+
+    def test_a_file_that_has_changed(self):
+        self.winds_in_one_message()
+        dataset = nephoscope.open(self.path)
+        self.path.write_bytes(b"\n" * 10 + self.path.read_bytes())
+        with self.assertRaisesRegex(grib.GribError, "has changed since it was opened: open it again"):
+            dataset.v.values
 
     def test_truncated_file(self):
         self.forecast()

@@ -7,9 +7,12 @@ written beside the data.
 """
 from __future__ import annotations
 
+import threading
 import warnings
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any, Iterator
 
 import numpy as np
 
@@ -59,11 +62,26 @@ def open_grib(path: Path, grid: int | None):
 
 # Headers
 
+_READING = threading.RLock()
+
+
+@contextmanager
+def _every_field(ec, path: Path) -> Iterator[Any]:
+    """The open file, of whose messages every field is read. That holds for the whole process, so that one thread reads at a time; cfgrib switches it off whenever it has
+    read, and then a second field would be that of the next message."""
+    with _READING, path.open("rb") as file:
+        ec.codes_grib_multi_support_on()
+        try:
+            yield file
+        finally:
+            ec.codes_grib_multi_support_reset_file(file)
+            ec.codes_grib_multi_support_off()
+
+
 def scan(path: Path) -> list[Message]:
     ec = need("eccodes", "reading GRIB")
-    ec.codes_grib_multi_support_on()
     found: list[Message] = []
-    with path.open("rb") as file:
+    with _every_field(ec, path) as file:
         try:
             while (handle := ec.codes_grib_new_from_file(file)) is not None:
                 found.append(_message(ec, handle, found))
@@ -71,8 +89,6 @@ def scan(path: Path) -> list[Message]:
         except ec.CodesInternalError as problem:
             raise GribError(f"{path}: after {len(found)} complete fields, the file ends early or is damaged ({problem}). Fetch it again"
                             + (f", or keep the complete fields: grib_copy -w count<{len(found) + 1} {path.name} OUT." if found else ".")) from problem
-        finally:
-            ec.codes_grib_multi_support_reset_file(file)
     if not found:
         raise GribError(f"{path} has no GRIB message.")
     return found
@@ -258,26 +274,19 @@ class Grid:
 
 # Fields
 
-class _handle:
+@contextmanager
+def _handle(path: Path, message: Message) -> Iterator[Any]:
     """The handle of one field, released at the end."""
-
-    def __init__(self, path: Path, message: Message) -> None:
-        self._ec, self._path, self._message = need("eccodes", "reading GRIB"), path, message
-
-    def __enter__(self):
-        self._file = self._path.open("rb")
-        self._file.seek(self._message.offset)
-        self._handle = None
-        for _ in range(self._message.part + 1):
-            if self._handle is not None:
-                self._ec.codes_release(self._handle)
-            self._handle = self._ec.codes_grib_new_from_file(self._file)
-        return self._handle
-
-    def __exit__(self, *problem) -> None:
-        self._ec.codes_release(self._handle)
-        self._ec.codes_grib_multi_support_reset_file(self._file)
-        self._file.close()
+    ec = need("eccodes", "reading GRIB")
+    with ExitStack() as ends:
+        file = ends.enter_context(_every_field(ec, path))
+        file.seek(message.offset)
+        for part in range(message.part + 1):
+            handle = ec.codes_grib_new_from_file(file)
+            if handle is None or _get(ec, handle, "offset", 0) != message.offset:
+                raise GribError(f"{path}: there is no field {message.variable[0]!r} at byte {message.offset}. The file has changed since it was opened: open it again.")
+            ends.callback(ec.codes_release, handle)
+        yield handle
 
 
 def attributes_of(path: Path, message: Message) -> dict:
