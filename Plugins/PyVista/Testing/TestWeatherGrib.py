@@ -119,6 +119,17 @@ class Grib(unittest.TestCase):
             for (name, level), read in zip(cases, threads.map(lambda case: dataset[case[0]].sel(isobaricInhPa=case[1]).values, cases)):
                 np.testing.assert_allclose(read.ravel(), fields[name] + level / 100, atol=1e-3)
 
+    def test_a_level_beside_layers_of_unknown_kinds(self):
+        """One level of a field is drawn, whatever levels other fields of the file have."""
+        layers = [(name, "heightAboveGroundLayer", level, 50.0 + WAVES) for name, level in (("hlcy", 1000), ("hlcy", 3000))]
+        write_grib(self.path, [("gh", "isobaricInhPa", level, WAVES + 11 * level) for level in (500, 850)] + layers, REGULAR)
+        dataset = nephoscope.open(self.path).sel(isobaricInhPa=500)
+        self.assertIn("heightAboveGroundLayer", dataset.dims)
+        plotter = dataset.nephoscope.plot("gh", screenshot=str(self.path.with_suffix(".png")), window_size=(100, 100))
+        self.addCleanup(plotter.close)
+        self.assertEqual({range_ for actor in plotter.renderer.actors.values() if getattr(getattr(actor, "mapper", None), "array_name", None) == "gh"
+                          for range_ in [tuple(np.round(actor.mapper.scalar_range))]}, {(5499, 5501)})
+
     def test_a_file_that_has_changed(self):
         self.winds_in_one_message()
         dataset = nephoscope.open(self.path)

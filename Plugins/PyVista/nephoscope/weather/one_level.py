@@ -10,6 +10,7 @@ import numpy as np
 
 from .accessor import WeatherAccessor
 from .horizontal import is_latitude, is_longitude
+from .vertical import VerticalError
 
 if TYPE_CHECKING:
     import xarray
@@ -23,7 +24,11 @@ def one_level(dataset: xarray.Dataset, name: str | None, time: int | str | np.da
         return None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # who reads the field will tell
-        reading = WeatherAccessor(dataset)._reading(time, options)
+        try:
+            reading = WeatherAccessor(dataset)._reading(time, options)
+        except VerticalError:  # perhaps of levels that this field has not, such as layers above the ground in a GRIB file
+            alone = _on_grid_of(dataset, name)
+            return alone if len(alone.data_vars) < len(dataset.data_vars) else None
     if name not in reading.dataset.data_vars or not _is_beside_others(reading, name):
         return None
     level = dataset if reading.vertical is None else dataset.drop_dims(reading.vertical.dim)
