@@ -67,8 +67,8 @@ _READING = threading.RLock()
 
 @contextmanager
 def _every_field(ec, path: Path) -> Iterator[Any]:
-    """The open file, of whose messages every field is read. That holds for the whole process, so that one thread reads at a time; cfgrib switches it off whenever it has
-    read, and then a second field would be that of the next message."""
+    """The file, open for reading all fields of each message. eccodes has one switch for that in a process, so one thread reads at a time; cfgrib turns the switch off
+    whenever it has read, and eccodes then returns the next message in place of a second field."""
     with _READING, path.open("rb") as file:
         ec.codes_grib_multi_support_on()
         try:
