@@ -123,6 +123,15 @@ class Sections(unittest.TestCase):
                     np.testing.assert_allclose(lowest[:, 2] - places[:, 2], np.minimum(10, ground - ground.min()) * unit, atol=0.5 * unit)
                     self.assertTrue((places[:, 1] < 0).all(), "it is hidden by the section")
 
+    def test_from_pole_to_pole(self):
+        """By latitude at any longitude: a pole has none."""
+        lat = np.arange(-90.0, 91, 5)
+        data = dataset().interp(lat=lat, kwargs={"fill_value": "extrapolate"})
+        data = data.assign_coords(lat=("lat", lat, {"units": "degrees_north"}), lon=("lon", LON + 100, {"units": "degrees_east"}))
+        for options in ({}, {"projection": "map"}):
+            _, sheet = self.drawn(data.sel(lon=90), **options)
+            np.testing.assert_allclose(np.unique(np.asarray(sheet.points)[:, 0].round(3)), lat, atol=1e-3)
+
     def test_across_the_date_line(self):
         data = dataset().assign_coords(lon=("lon", np.arange(150.0, 235, 5), {"units": "degrees_east"})).sel(lat=0)
         _, sheet = self.drawn(data)

@@ -79,7 +79,8 @@ def _places(grid: pyvista.StructuredGrid) -> tuple[np.ndarray, np.ndarray, np.nd
 
 def _along(longitude: np.ndarray, latitude: np.ndarray) -> tuple[str, np.ndarray]:
     """The title of the axis along the section, and the places on it: latitudes or longitudes where the other one is the same everywhere, otherwise kilometres from one end."""
-    if _extent(longitude) < SAME:
+    away = np.abs(latitude) < 90 - SAME  # from the poles, which have no longitude
+    if _extent(longitude[away] if away.any() else longitude) < SAME:
         return "°N", latitude
     if _extent(latitude) < SAME:
         return "°E", longitude
