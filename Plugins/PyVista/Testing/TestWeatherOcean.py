@@ -345,7 +345,7 @@ class Sheer(unittest.TestCase):
 
     def test_zero_is_transparent(self):
         spot = np.exp(-((LON + 30) ** 2 + (LAT[:, None] - 30) ** 2) / 8)
-        for values, name, attrs, opaque in ((spot, "something", {}, False), (spot - 0.5, "something", {}, True), (spot + 1, "something", {}, True), (np.where(spot > 0.5, 56, 1), "basin", {}, True), (1 - spot, "something", {}, True),
+        for values, name, attrs, opaque in ((spot, "something", {}, False), (spot - 0.5, "something", {}, True), (spot + 1, "something", {}, True), (np.where(spot > 0.5, 56, 1), "basin", {}, True), (spot, "cover", {"flag_values": [0, 1]}, True), (1 - spot, "something", {}, True),
                                             (0.3 + spot, "od550aer", {"long_name": "Aerosol Optical Thickness at 550 nm"}, False),
                                             (0.3 + spot, "x", {"standard_name": "atmosphere_optical_thickness_due_to_cloud"}, False),
                                             (0.3 + spot, "y", {"long_name": "thickness of the cloud layer"}, True)):

@@ -15,6 +15,7 @@ from .._over_time import follows, values_over_time
 from .roles import ROLES, candidates
 from .units import knows, plain
 
+CODES = "_is_codes"  # ending of the name of a field array
 SHEER = ("clouds", "cloud water", "rain", "smoke")  # presets of what is not everywhere: where there is none of it, the ground is seen
 WHITE = ("clouds", "cloud water")  # among them: thin ones show more of the ground, and are not darker
 _OF_ROLES = {"temperature": "temperature", "potential_temperature": "temperature", "u": "wind component", "v": "wind component", "w": "wind component", "specific_humidity": "humidity",
@@ -29,7 +30,9 @@ _NEVER = re.compile(r"time|altitude|height|(?<!optical[ _])thickness|pressure|ge
 
 
 def note_look(mesh: pyvista.DataSet, dataset, name: str) -> None:
-    """Writes into `mesh` which preset suits its array `name`, if the name alone does not tell."""
+    """Writes into `mesh` which preset suits its array `name`, if the name alone does not tell, and whether its values are codes, as CF's ``flag_values`` say."""
+    if name in dataset.variables and "flag_values" in dataset[name].attrs:
+        mesh.field_data[name + CODES] = [1]
     found = suited(dataset, name)
     if found and preset_of_field(name, mesh) is None:
         mesh.field_data[name + PRESET_ENDING] = [found]
@@ -65,7 +68,7 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
     bulk = skewed_range(values) if options.get("clim") is None and not options.get("log_scale") else None
     over_time = (float(values.min()), float(values.max())) if follows(grid) and values.size and np.ptp(values) > 0 else None
     if preset is None or "cmap" in options:
-        sheer = preset is None and options.get("clim") is None and not options.get("log_scale") and is_mostly_zero(values)
+        sheer = preset is None and options.get("clim") is None and not options.get("log_scale") and name + CODES not in grid.field_data and is_mostly_zero(values)
         clim = None if options.get("log_scale") else bulk or over_time
         if sheer and isinstance(options.get("cmap"), (list, tuple)):
             options["cmap"] = [options["cmap"][i * len(options["cmap"]) // 256] for i in range(256)]  # as many as PyVista's "linear" has opacities
