@@ -11,8 +11,7 @@ import pyvista
 from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import (vtkAMRUtilities, vtkCompositeDataSet, vtkDataSetAttributes, vtkGenericCell, vtkHyperTreeGrid,
                                            vtkOverlappingAMR, vtkUniformGrid)
-
-from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from ._checks import listed
 from ._fields import is_helper
@@ -21,7 +20,7 @@ from ._pipeline import level_of_caller
 
 def outer_surface(grid: pyvista.DataSet) -> pyvista.PolyData:
     """The outer faces of its cells, and its polygons. PyVista's method for it has other arguments in each version."""
-    surface = vtkGeometryFilter()
+    surface = vtkDataSetSurfaceFilter()
     surface.SetInputData(grid)
     surface.Update()
     return pyvista.wrap(surface.GetOutput())

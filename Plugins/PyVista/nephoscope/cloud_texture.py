@@ -10,11 +10,10 @@ import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkHyperTreeGrid, vtkOverlappingAMR, vtkPolyData
-from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCloudTextureMapper
-from ._blocks import cell_dimension, named_blocks
+from ._blocks import cell_dimension, named_blocks, outer_surface
 from ._checks import arrays_of, as_array, choose, listed, require_number
 from ._components import require_component, title_of
 from ._copies import copied_mapper
@@ -333,10 +332,7 @@ def _surface(mesh: Any) -> pyvista.PolyData:
     if not isinstance(mesh, pyvista.DataSet):
         raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a surface, or blocks of surfaces.")
     if not isinstance(mesh, pyvista.PolyData):
-        surface = vtkDataSetSurfaceFilter()
-        surface.SetInputData(mesh)
-        surface.Update()
-        mesh = pyvista.wrap(surface.GetOutput())
+        mesh = outer_surface(mesh)
     if mesh.GetNumberOfPolys() + mesh.GetNumberOfStrips() == 0:
         if mesh.n_points == 0:
             raise ValueError("mesh is empty: it has no points and no polygons, so there is no surface to draw. If it comes from cloud_surface "

@@ -147,10 +147,10 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
         series.stop()
         from .flat_picture import shape_of_section
         return SectionSeries(section, shape_of_section(plotter), **options), draw
-    for fills, reduced in ((fills_the_air, lowest_level),) if on_earth else ((fills_the_box, outer_faces),):
-        if fills(series.mesh, draw, look):
-            series.stop()
-            return ReducedSeries(section, lambda mesh: reduced(mesh, draw), **options), draw
+    fills, reduced = (fills_the_air, lowest_level) if on_earth else (fills_the_box, outer_faces)
+    if fills(series.mesh, draw, look):
+        series.stop()
+        return ReducedSeries(section, lambda mesh: reduced(mesh, draw), **options), draw
     return series, draw
 
 

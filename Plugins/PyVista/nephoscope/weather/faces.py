@@ -20,7 +20,7 @@ def fills_the_box(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_
 
 
 def outer_faces(grid: pyvista.DataSet, name: str) -> pyvista.PolyData:
-    """The faces of the grid, with the values of its point array `name` alone. Where these are missing, as below ground, there is no grid."""
+    """The faces of the grid, with the values of its point array `name` alone. Points without a value, such as those below the ground, are left out."""
     alone = grid.copy(deep=False)
     alone.clear_data()
     alone.point_data[name] = values = np.asarray(grid.point_data[name])

@@ -281,7 +281,7 @@ def _handle(path: Path, message: Message) -> Iterator[Any]:
     with ExitStack() as ends:
         file = ends.enter_context(_every_field(ec, path))
         file.seek(message.offset)
-        for part in range(message.part + 1):
+        for _ in range(message.part + 1):
             handle = ec.codes_grib_new_from_file(file)
             if handle is None or _get(ec, handle, "offset", 0) != message.offset:
                 raise GribError(f"{path}: there is no field {message.variable[0]!r} at byte {message.offset}. The file has changed since it was opened: open it again.")

@@ -24,7 +24,7 @@ def fills_the_air(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_
 
 
 def is_filling(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
-    """Whether the array `name` has values like those of a temperature everywhere, and none of the `options` is `of_volumes` or the opacity."""
+    """Whether the array `name` is a quantity that fills all of the air, such as a temperature, and no option asks for a volume: neither an opacity nor one `of_volumes`."""
     if any(option in options for option in ("opacity", *of_volumes)):
         return False
     preset = preset_of_field(name, grid)

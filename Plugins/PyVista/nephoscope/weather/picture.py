@@ -177,7 +177,7 @@ def _finite(grid: pyvista.DataSet) -> np.ndarray:
 
 
 def _seen(grid: pyvista.DataSet) -> np.ndarray:
-    """The points that are not hidden, such as land in an ocean; all that have a place, if all are hidden."""
+    """The points that are not hidden, as land in an ocean is; all that have a place, if all are hidden, or in a film, in which others may be hidden later."""
     marks = grid.point_data.get("vtkGhostType")
     if marks is None or follows(grid):
         return _finite(grid)

@@ -23,7 +23,7 @@ from .winds import winds
 
 NEAR = 1.0  # m: points that much below the ground are on it, such as a level at the ground
 HEIGHT = "geometric_height"  # the array that passes the heights to `to_globe`
-GROUND = "GroundOfColumns"  # field array of a section: the height of the ground below each column, in m; not of levels that are pressures or heights
+GROUND = "GroundOfColumns"  # field array of a section whose levels are neither pressures nor heights: the height of the ground below each column, in m
 
 
 def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: dict[str, np.ndarray], options: dict) -> pyvista.StructuredGrid:

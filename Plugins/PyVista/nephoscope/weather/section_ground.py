@@ -15,7 +15,7 @@ LAND = (0.42, 0.38, 0.34)  # seen before black and before white
 
 
 def ground_of(sheet: pyvista.StructuredGrid) -> list[pyvista.DataSet]:
-    """What is land in a section: all behind the water, and in front of the air what is below the ground, or below points that are, where the height of the ground is not known."""
+    """The land in a section. In the sea, it is behind the water. In the air, it is in front, up to the height of the ground or, if that is not known, up to the highest point below the ground."""
     if is_sea(sheet):
         return [_moved(_quads(sheet), 1), _moved(_under(sheet, sheet.points[: _columns(sheet), 2]), 1)]
     if GROUND in sheet.field_data:
