@@ -2,11 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HazeLink.h"
 
+#include "RendererSun.h"
+
 #include "vtkCommand.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderer.h"
+
+#include <algorithm>
 
 namespace nephoscope
 {
@@ -39,16 +45,39 @@ HazeLink* HazeLink::Of(vtkRenderer* renderer)
 }
 
 // Told once, not once per frame.
+void HazeLink::Tell(const std::string& problem, std::string& told)
+{
+  if (!problem.empty() && problem != told)
+  {
+    vtkWarningWithObjectMacro(this->Haze, << problem);
+  }
+  told = problem;
+}
+
 void HazeLink::Place()
 {
   HazeScene scene(this->Renderer);
-  this->Haze->CompleteScene(scene);
+  scene.Join(this->Haze->GetMaximumOfRanks());
   this->Placement = HazePlacement(this->Haze, scene);
-  if (!this->Placement.Problem.empty() && this->Placement.Problem != this->Told)
+  this->Tell(this->Placement.Problem, this->Told);
+}
+
+void HazeLink::FindSun()
+{
+  std::copy_n(this->Haze->GetSunDirection(), 3, this->Sun);
+  this->IsLit = vtkMath::Normalize(this->Sun) > 0;
+  if (!this->IsLit)
   {
-    vtkGenericWarningMacro(<< this->Placement.Problem);
+    this->IsLit = findSunOf(this->Renderer, this->Sun) && vtkMath::Normalize(this->Sun) > 0;
   }
-  this->Told = this->Placement.Problem;
+}
+
+void HazeLink::FindShadows()
+{
+  const bool wanted = this->IsLit && this->Placement.Exists && this->Haze->GetCloudShadows();
+  this->Shadows.Find(this->Renderer, wanted ? this->Sun : nullptr, this->Haze->GetMaximumOfRanks());
+  this->Tell(this->Shadows.GetProblem(), this->ToldOfShadows);
+  this->Shadows.Bind(vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow()));
 }
 
 void HazeLink::OnStart()
@@ -57,6 +86,8 @@ void HazeLink::OnStart()
   if (this->Haze->IsSeen())
   {
     this->Place();
+    this->FindSun();
+    this->FindShadows();
   }
   const bool hasSky = this->Renderer->HasViewProp(this->Sky) != 0;
   const bool wantsSky = this->Haze->IsSeen() && this->Haze->GetBackground();
@@ -82,6 +113,7 @@ void HazeLink::OnEnd()
     this->Shaders->Leave(this->Renderer);
     this->Entered = false;
   }
+  this->Shadows.Unbind();
 }
 
 } // namespace nephoscope

@@ -6,6 +6,7 @@
 
 #include "HazePlacement.h"
 #include "HazeShaderPass.h"
+#include "HazeShadows.h"
 #include "HazeSky.h"
 
 #include "vtkHaze.h"
@@ -35,6 +36,9 @@ public:
   vtkHaze* GetHaze() const { return this->Haze; }
   /** As it was found when the renderer began to draw. */
   const HazePlacement& GetPlacement() const { return this->Placement; }
+  const HazeShadows& GetShadows() const { return this->Shadows; }
+  /** Towards the sun, with a length of 1; null: no sun lights the haze. */
+  const double* GetSun() const { return this->IsLit ? this->Sun : nullptr; }
 
   /** The link of the renderer, or null. */
   static HazeLink* Of(vtkRenderer* renderer);
@@ -50,12 +54,18 @@ private:
   void OnStart();
   void OnEnd();
   void Place();
+  void FindSun();
+  void FindShadows();
+  void Tell(const std::string& problem, std::string& told);
 
   vtkRenderer* Renderer = nullptr;
   unsigned long Observers[2] = { 0, 0 };
   bool Entered = false;
   HazePlacement Placement;
-  std::string Told;
+  std::string Told, ToldOfShadows;
+  bool IsLit = false;
+  double Sun[3] = { 0, 0, 0 };
+  HazeShadows Shadows;
   vtkSmartPointer<vtkHaze> Haze;
   vtkNew<HazeShaderPass> Shaders;
   vtkNew<HazeSky> Sky;

@@ -31,4 +31,19 @@ HazeScene::HazeScene(vtkRenderer* renderer)
   take("VerticalExaggeration", this->VerticalExaggeration);
 }
 
+void HazeScene::Join(const std::function<void(double* numbers, int count)>& maximum)
+{
+  double most[9] = { -this->Low[0], -this->Low[1], -this->Low[2], this->High[0], this->High[1],
+    this->High[2], this->GlobeGridProjection, this->PlanetRadius, this->VerticalExaggeration };
+  maximum(most, 9);
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Low[c] = -most[c];
+    this->High[c] = most[3 + c];
+  }
+  this->GlobeGridProjection = most[6];
+  this->PlanetRadius = most[7];
+  this->VerticalExaggeration = most[8];
+}
+
 } // namespace nephoscope

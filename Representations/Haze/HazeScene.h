@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 class vtkRenderer;
@@ -25,6 +26,9 @@ struct HazeScene
   HazeScene() = default;
   /** All visible props; of several that tell something the largest values count, whatever their order. */
   explicit HazeScene(vtkRenderer* renderer);
+
+  /** The scene of all ranks. */
+  void Join(const std::function<void(double* numbers, int count)>& maximum);
 
   bool IsEmpty() const { return !(this->Low[0] <= this->High[0]); }
   double Diagonal() const

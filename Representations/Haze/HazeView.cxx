@@ -6,7 +6,6 @@
 
 #include "HazeFunctions.h"
 #include "HazeLink.h"
-#include "RendererSun.h"
 #include "ViewState.h"
 #include "vtkHaze.h"
 
@@ -65,26 +64,31 @@ HazeView::HazeView(vtkRenderer* renderer)
     this->Eye[c] = static_cast<float>(this->Parallel ? -eye[axis] / std::abs(eye[2]) : start[c]);
   }
   this->SetPlace(*haze, placement, world, start);
-  this->SetSun(*haze, renderer, world);
+  this->SetSun(*link, world);
   this->SetDevice(device);
 }
 
-void HazeView::SetSun(vtkHaze& haze, vtkRenderer* renderer, vtkMatrix4x4* worldToView)
+void HazeView::SetSun(const HazeLink& link, vtkMatrix4x4* worldToView)
 {
-  double sun[3];
-  std::copy_n(haze.GetSunDirection(), 3, sun);
-  double length = std::hypot(sun[0], sun[1], sun[2]);
-  if (!(length > 0) && findSunOf(renderer, sun))
+  this->Asymmetry = static_cast<float>(link.GetHaze()->GetAsymmetry());
+  if (!link.GetSun())
   {
-    length = std::hypot(sun[0], sun[1], sun[2]);
+    return;
   }
   double inView[3];
-  toView(worldToView, sun, 0, inView);
-  for (int c = 0; c < 3; ++c)
+  toView(worldToView, link.GetSun(), 0, inView);
+  std::copy_n(inView, 3, this->Sun);
+  this->ShadowUnit = link.GetShadows().GetUnit();
+  if (this->ShadowUnit >= 0)
   {
-    this->Sun[c] = static_cast<float>(length > 0 ? inView[c] / length : 0);
+    vtkNew<vtkMatrix4x4> viewToWorld, toShadows;
+    vtkMatrix4x4::Invert(worldToView, viewToWorld);
+    vtkMatrix4x4::Multiply4x4(link.GetShadows().GetFromWorld(), viewToWorld, toShadows);
+    for (int i = 0; i < 16; ++i)
+    {
+      this->ToShadows[i] = static_cast<float>(toShadows->GetElement(i % 4, i / 4));
+    }
   }
-  this->Asymmetry = static_cast<float>(haze.GetAsymmetry());
 }
 
 // In double: the eye may be close to the ground and far from the planet's centre.
@@ -156,7 +160,8 @@ std::string HazeView::Definition() const
     return std::string("#define ") + name + (value ? " true\n" : " false\n");
   };
   return this->On ? "#define NEPHOSCOPE_HAZE\n" + constant("HAZE_ON_GLOBE", this->OnGlobe) +
-      constant("HAZE_IS_LIT", isLit) + HazeFunctions
+      constant("HAZE_IS_LIT", isLit) + (this->ShadowUnit >= 0 ? "#define HAZE_SHADOWS\n" : "") +
+      HazeFunctions
                   : std::string();
 }
 
@@ -176,6 +181,11 @@ void HazeView::SetUniforms(vtkShaderProgram* program) const
   program->SetUniform3f("hazeEye", this->Eye);
   program->SetUniform3f("hazeFrame", this->Frame);
   program->SetUniform2f("hazeHeight", this->Height);
+  if (program->IsUniformUsed("hazeShadows"))
+  {
+    program->SetUniformi("hazeShadows", this->ShadowUnit);
+    program->SetUniformMatrix4x4("hazeToShadows", const_cast<float*>(this->ToShadows));
+  }
   if (program->IsUniformUsed("hazeFromDevice"))
   {
     GLint viewport[4];

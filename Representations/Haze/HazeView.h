@@ -16,6 +16,7 @@ class vtkShaderProgram;
 namespace nephoscope
 {
 
+class HazeLink;
 struct HazePlacement;
 
 class VTKNEPHOSCOPEREPRESENTATIONSHAZE_EXPORT HazeView
@@ -37,7 +38,7 @@ public:
 private:
   void SetPlace(vtkHaze& haze, const HazePlacement& placement, vtkMatrix4x4* worldToView,
     const double start[3]);
-  void SetSun(vtkHaze& haze, vtkRenderer* renderer, vtkMatrix4x4* worldToView);
+  void SetSun(const HazeLink& link, vtkMatrix4x4* worldToView);
   void SetDevice(vtkMatrix4x4* viewToDevice);
 
   bool On = false;
@@ -48,6 +49,8 @@ private:
   float Tint[3] = { 1, 1, 1 };
   float Sun[3] = { 0, 0, 0 };
   float Asymmetry = 0;
+  int ShadowUnit = -1; ///< texture unit; -1: no clouds shade the haze
+  float ToShadows[16] = { 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1 }; // columns
   float Eye[3] = { 0, 0, 0 };
   float Frame[3] = { 0, 0, 1 };
   float Height[2] = { 1, 0 };

@@ -187,6 +187,7 @@ void vtkHaze::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "SunDirection: " << this->SunDirection[0] << " " << this->SunDirection[1] << " "
      << this->SunDirection[2] << "\n"
      << indent << "Asymmetry: " << this->Asymmetry << "\n"
+     << indent << "CloudShadows: " << this->CloudShadows << "\n"
      << indent << "Center: " << this->Center[0] << " " << this->Center[1] << " " << this->Center[2]
      << "\n"
      << indent << "PlanetRadius: " << this->PlanetRadius << "\n"

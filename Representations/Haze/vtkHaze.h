@@ -22,15 +22,10 @@
 #include "vtkNephoscopeRepresentationsHazeModule.h" // for export macro
 #include "vtkObject.h"
 
-#include <functional> // for the completion of scenes
+#include <functional> // for what ranks have in common
 #include <utility>
 
 class vtkRenderer;
-
-namespace nephoscope
-{
-struct HazeScene;
-}
 
 class VTKNEPHOSCOPEREPRESENTATIONSHAZE_EXPORT vtkHaze : public vtkObject
 {
@@ -142,6 +137,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * With a sun: clouds that vtkSunlight has lit by the same sun, and that the renderer draws as volumes, cast shadows in the haze, with shafts of light between them. Default: on.
+   */
+  vtkSetMacro(CloudShadows, bool);
+  vtkGetMacro(CloudShadows, bool);
+  vtkBooleanMacro(CloudShadows, bool);
+  ///@}
+
+  ///@{
   /** Globe: centre of the globe, finite. Default: the origin. */
   void SetCenter(double x, double y, double z);
   void SetCenter(const double center[3]) VTK_SIZEHINT(3)
@@ -191,17 +195,14 @@ public:
   }
 
 #ifndef __VTK_WRAP__
-  /** Called before each drawing, to add the scenes of other ranks, which the renderer lacks. */
-  void SetSceneCompletion(std::function<void(nephoscope::HazeScene&)> completion)
+  /** Called while the renderer draws, to replace each number by the greatest of all ranks. */
+  void SetMaximumOfRanks(std::function<void(double* numbers, int count)> maximum)
   {
-    this->Completion = std::move(completion);
+    this->MaximumOfRanks = std::move(maximum);
   }
-  void CompleteScene(nephoscope::HazeScene& scene) const
+  const std::function<void(double* numbers, int count)>& GetMaximumOfRanks() const
   {
-    if (this->Completion)
-    {
-      this->Completion(scene);
-    }
+    return this->MaximumOfRanks;
   }
 #endif
 
@@ -219,6 +220,7 @@ private:
 
   bool Enabled = true;
   bool Background = true;
+  bool CloudShadows = true;
   int Projection = AUTOMATIC;
   double Visibility = 0;
   double Extinction = -1;
@@ -232,7 +234,7 @@ private:
   double UpDirection[3] = { 0, 0, 1 };
   double BaseLevel = 0;
 #ifndef __VTK_WRAP__
-  std::function<void(nephoscope::HazeScene&)> Completion;
+  std::function<void(double*, int)> MaximumOfRanks = [](double*, int) {};
 #endif
 };
 

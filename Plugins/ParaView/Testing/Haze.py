@@ -28,7 +28,7 @@ def check_definition():
 def check_settings(view):
     display = pvs.Show(pvs.Haze(), view)
     values = {"VisualRange": 123.0, "ScaleHeight": 4.5, "VerticalExaggeration": 7.0, "HazeColor": [0.1, 0.2, 0.3], "Projection": 1, "SunDirection": [1.0, -2.0, 3.0], "Asymmetry": 0.25,
-              "PlanetRadius": 99.0, "Center": [1.0, 2.0, 3.0], "BaseLevel": -5.0, "UpDirection": [0.0, 2.0, 0.0], "HazeBackground": 0}
+              "PlanetRadius": 99.0, "Center": [1.0, 2.0, 3.0], "BaseLevel": -5.0, "CloudShadows": 0, "UpDirection": [0.0, 2.0, 0.0], "HazeBackground": 0}
     for name, value in values.items():
         setattr(display, name, value)
     display.UpdateVTKObjects()

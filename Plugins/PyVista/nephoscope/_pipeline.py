@@ -13,6 +13,7 @@ from typing import Any, Iterator, Mapping, Sequence
 import pyvista
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
+from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataObject, vtkDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
@@ -88,8 +89,8 @@ _NAMES_OF_MAPPERS = {
 }
 
 
-def warn_when_drawing(mapper: vtkAlgorithm) -> None:
-    """Turns reports of `mapper`, which occur when it draws, into RuntimeWarnings at the line that made the plotter draw.
+def warn_when_drawing(mapper: vtkObject) -> None:
+    """Turns reports of a mapper, or of another object that acts while the plotter draws, which occur when it draws, into RuntimeWarnings at the line that made the plotter draw.
 
     The warnings use argument names instead of VTK's properties. Errors become warnings too, because an exception cannot pass through VTK's rendering.
     """

@@ -12,6 +12,7 @@ from ._checks import choose, require_number
 from ._exports import warn_when_exported
 from ._fields import FLAT_GRID
 from ._methods import wrap_method
+from ._pipeline import warn_when_drawing
 from ._typing import Numbers
 from .light import PROJECTIONS, direction_of
 
@@ -20,7 +21,8 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
              color: str | Numbers | None = None, background: bool = True,
              vertical_exaggeration: float | None = None, projection: Literal["globe", "map"] | None = None,
              radius: float | None = None, center: Numbers = (0, 0, 0), up: Numbers = (0, 0, 1),
-             base_level: float = 0.0, sun: Any = None, asymmetry: float = 0.5, render: bool = True) -> vtkHaze:
+             base_level: float = 0.0, sun: Any = None, asymmetry: float = 0.5, cloud_shadows: bool = True,
+             render: bool = True) -> vtkHaze:
     """Add haze, thinner with altitude, in front of everything in the active renderer of a plotter. It replaces earlier haze.
 
     Defaults come from the scene: the ground and exaggeration of `mesh.nephoscope.globe(...)`; without it a globe if the scene lies around the
@@ -65,6 +67,8 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
         ``{'place': (longitude, latitude)}``. Default: none; haze has its colour wherever it is.
     asymmetry : float, default: 0.5
         With `sun`: asymmetry parameter of the haze, -0.95 to 0.95; 0 for air, 0.7 for particles.
+    cloud_shadows : bool, default: True
+        With `sun`: clouds that are lit by the same sun, as ``add_cells(..., sun=...)`` lights them, cast shadows in the haze, with shafts of light between them.
     render : bool, default: True
         Renders again if the plotter has rendered before.
 
@@ -103,8 +107,10 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     haze.SetUpDirection(*up)
     haze.SetBaseLevel(require_number(base_level, "base_level"))
     haze.SetAsymmetry(require_number(asymmetry, "asymmetry", least=-0.95, most=0.95))
+    haze.SetCloudShadows(bool(cloud_shadows))
     if sun is not None:
         haze.SetSunDirection(*direction_of(sun, _fields_of_scene(plotter) if mesh is None else mesh.field_data))
+    warn_when_drawing(haze)
     vtkHaze.SetHaze(plotter.renderer, haze)
     wrap_method(plotter, "clear", _clear)  # removes the haze as well as the actors
     warn_when_exported(plotter)

@@ -3,7 +3,6 @@
 #include "vtkHazeRepresentation.h"
 
 #include "ForwardedMessages.h"
-#include "HazeScene.h"
 
 #include "vtkCommunicator.h"
 #include "vtkHaze.h"
@@ -13,36 +12,21 @@
 #include "vtkPVRenderView.h"
 #include "vtkRenderer.h"
 
+#include <vector>
+
 vtkStandardNewMacro(vtkHazeRepresentation);
 
 namespace
 {
-// All ranks draw at once, each what it has: what haze finds out is that of all.
-void joinScenes(nephoscope::HazeScene& scene)
+// All ranks draw at once, each what it has.
+void takeMaximumOfRanks(double* numbers, int count)
 {
   vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
-  if (!ranks || ranks->GetNumberOfProcesses() < 2)
+  if (ranks && ranks->GetNumberOfProcesses() > 1)
   {
-    return;
+    const std::vector<double> mine(numbers, numbers + count);
+    ranks->AllReduce(mine.data(), numbers, count, vtkCommunicator::MAX_OP);
   }
-  double mine[9], most[9];
-  for (int c = 0; c < 3; ++c)
-  {
-    mine[c] = -scene.Low[c];
-    mine[3 + c] = scene.High[c];
-  }
-  mine[6] = scene.GlobeGridProjection;
-  mine[7] = scene.PlanetRadius;
-  mine[8] = scene.VerticalExaggeration;
-  ranks->AllReduce(mine, most, 9, vtkCommunicator::MAX_OP);
-  for (int c = 0; c < 3; ++c)
-  {
-    scene.Low[c] = -most[c];
-    scene.High[c] = most[3 + c];
-  }
-  scene.GlobeGridProjection = most[6];
-  scene.PlanetRadius = most[7];
-  scene.VerticalExaggeration = most[8];
 }
 }
 
@@ -50,7 +34,7 @@ vtkHazeRepresentation::vtkHazeRepresentation()
 {
   nephoscope::forwardMessages(this->Haze, this);
   this->SetHazeBackground(true);
-  this->Haze->SetSceneCompletion(joinScenes);
+  this->Haze->SetMaximumOfRanks(takeMaximumOfRanks);
 }
 
 vtkHazeRepresentation::~vtkHazeRepresentation()
@@ -134,6 +118,11 @@ void vtkHazeRepresentation::SetSunDirection(double x, double y, double z)
 void vtkHazeRepresentation::SetAsymmetry(double asymmetry)
 {
   this->Haze->SetAsymmetry(asymmetry);
+}
+
+void vtkHazeRepresentation::SetCloudShadows(bool cast)
+{
+  this->Haze->SetCloudShadows(cast);
 }
 
 void vtkHazeRepresentation::SetProjection(int projection)

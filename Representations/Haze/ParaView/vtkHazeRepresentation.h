@@ -35,6 +35,7 @@ public:
   void SetHazeColor(double red, double green, double blue);
   void SetSunDirection(double x, double y, double z);
   void SetAsymmetry(double asymmetry);
+  void SetCloudShadows(bool cast);
   void SetProjection(int projection);
   void SetCenter(double x, double y, double z);
   void SetPlanetRadius(double radius);

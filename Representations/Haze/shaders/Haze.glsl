@@ -17,6 +17,10 @@ uniform float hazeExtinction; // per scale height at altitude 0
 uniform vec3 hazeTint;        // C
 uniform vec3 hazeSun;         // VC: unit vector towards the sun; 0: haze has its colour wherever it is
 uniform float hazeAsymmetry;  // of its phase function
+#ifdef HAZE_SHADOWS
+uniform sampler3D hazeShadows; // fraction of the sun's beam that clouds let through; the third axis points towards the sun
+uniform mat4 hazeToShadows;    // from VC
+#endif
 uniform vec3 hazeEye;         // VC: where all rays start; direction of parallel ones, away from the camera
 uniform vec3 hazeFrame;       // globe: from its centre to the eye (parallel: to the camera); flat: upwards
 uniform vec2 hazeHeight;      // of the eye (parallel: of the camera): distance from the centre, altitude
@@ -135,9 +139,12 @@ vec3 hazeStart(vec3 placeVC)
   return hazeParallel == 0 ? hazeEye : placeVC - hazeEye * (placeVC.z / hazeEye.z);
 }
 
+vec3 hazeRayStartVC = vec3(0.0); // of the present ray
+
 // The same in scale heights; over flat ground only its altitude.
 HazePlace hazePlaceOfStart(vec3 startVC)
 {
+  hazeRayStartVC = startVC;
   HazePlace place = HazePlace(hazeFrame, hazeHeight);
   if (hazeParallel == 0)
   {
@@ -267,6 +274,51 @@ float hazeMeanPlaceAt(float depth)
   return depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / (exp(min(depth, 80.0)) - 1.0);
 }
 
+#ifdef HAZE_SHADOWS
+// The part of a ray, in scale heights from its start, that is neither beside the map of shadows nor nearer to the sun.
+vec2 hazeShadowedPart(vec3 from, vec3 perHeight, vec2 part)
+{
+  vec3 along = mix(perHeight, vec3(1.0e-9), lessThan(abs(perHeight), vec3(1.0e-9)));
+  vec3 toLow = -from / along, toHigh = (1.0 - from) / along;
+  vec3 enters = min(toLow, toHigh), leaves = max(toLow, toHigh);
+  enters.z = along.z < 0.0 ? enters.z : -3.0e38;
+  leaves.z = along.z > 0.0 ? leaves.z : 3.0e38;
+  return vec2(max(part.x, max(enters.x, max(enters.y, enters.z))), min(part.y, min(leaves.x, min(leaves.y, leaves.z))));
+}
+
+// The part of the sun's beam that clouds keep from haze along a ray, times its phase function: to be taken from the light of haze without clouds.
+float hazeLightInShadow(HazePlace start, vec3 direction, vec2 hazy, float phase)
+{
+  const int parts = 12, samples = 6;
+  vec3 from = (hazeToShadows * vec4(hazeRayStartVC, 1.0)).xyz;
+  vec3 perHeight = mat3(hazeToShadows) * direction / hazeUnit;
+  vec2 part = hazeShadowedPart(from, perHeight, hazy);
+  if (!(part.y > part.x))
+  {
+    return 0.0;
+  }
+  float before = exp(-hazeExtinction * hazeLength(start, part.x * direction));
+  float beamBefore = hazeSunTransparency(hazePlaceAfter(start, part.x * direction));
+  float sum = 0.0;
+  for (int i = 1; i <= parts; ++i)
+  {
+    float reach = mix(part.x, part.y, float(i) / float(parts));
+    float after = min(before, exp(-hazeExtinction * hazeLength(start, reach * direction)));
+    float beam = hazeSunTransparency(hazePlaceAfter(start, reach * direction));
+    float shadow = 0.0;
+    for (int k = 0; k < samples; ++k)
+    {
+      float at = mix(part.x, part.y, (float(i - 1) + (float(k) + 0.5) / float(samples)) / float(parts));
+      shadow += 1.0 - texture(hazeShadows, from + at * perHeight).x;
+    }
+    sum += (before - after) * 0.5 * (beamBefore + beam) * shadow / float(samples);
+    before = after;
+    beamBefore = beam;
+  }
+  return phase * sum;
+}
+#endif
+
 // `opacity`: 1 - T of the whole step. What each part scatters is dimmed by the haze in front of it.
 vec3 hazeAirlight(HazePlace start, vec3 step_, float opacity)
 {
@@ -290,6 +342,9 @@ vec3 hazeAirlight(HazePlace start, vec3 step_, float opacity)
     before = after;
     lightBefore = light;
   }
+#ifdef HAZE_SHADOWS
+  sum = max(0.0, sum - hazeLightInShadow(start, direction, hazy, phase));
+#endif
   float seen = exp(-first) - exp(-before);
   float share = seen > 0.0 ? opacity / seen : 0.0; // the rest is too thin for parts
   return min(share, 2.0) * sum * hazeTint;
