@@ -15,6 +15,7 @@ import nephoscope
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the factory
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
 from nephoscope_testing.weather import cloud_volume, forecast_globe
+from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
@@ -70,6 +71,16 @@ def wavelet(points):
     return source.GetOutput()
 
 
+def with_shadows(data):
+    """The fraction of sunlight that the haze takes for shadows: less below."""
+    fraction = vtkFloatArray()
+    fraction.SetName("SunTransmittance")
+    for point in range(data.GetNumberOfPoints()):
+        fraction.InsertNextValue(0.3 if data.GetPoint(point)[2] < 0 else 1.0)
+    data.GetPointData().AddArray(fraction)
+    return data
+
+
 def tetrahedra(points):
     divided = vtkDataSetTriangleFilter()
     divided.SetInputData(wavelet(points))
@@ -86,6 +97,7 @@ SCENES = {
     "image of 25³ points": lambda: cells(wavelet(25)),
     "image of 100³ points": lambda: cells(wavelet(100)),
     "image 25³, lit haze": lambda: cells(wavelet(25)),
+    "image 25³, lit, shadows": lambda: cells(with_shadows(wavelet(25))),
     "tetrahedra, 25³ points": lambda: cells(tetrahedra(25)),
 }
 

@@ -21,6 +21,25 @@ def draw_shadows():
     pvs.Delete(view)
 
 
+def draw_shafts():
+    """Haze below a cloud with gaps, whose parts are on several ranks: it has the shadows of the whole cloud."""
+    view = new_view((120, 90))
+    lumps = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-10, 10, -10, 10, 0, 4]), ResultArrayName="Extinction", Function="if(RTData>170,0.6,0)")
+    sun = pvs.Sun(SunDirection=[1, 0, 3])
+    pvs.Show(pvs.Sunlight(Input=lumps, Sun=sun), view)
+    solid(pvs.Show(pvs.Plane(Origin=[-40, -40, -12], Point1=[40, -40, -12], Point2=[-40, 40, -12]), view), [0.1, 0.1, 0.1])
+    pvs.Show(sun, view)
+    haze = pvs.Show(pvs.Haze(), view)
+    haze.VisualRange, haze.ScaleHeight, haze.Asymmetry, haze.HazeBackground, haze.HazeColor = 70, 15, 0, 0, [0.8, 0.8, 0.8]
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0, -35, 10], [0, 0, -8], [0, 0, 1]
+    set_background(view, (0, 0, 0.2))
+    for name, cast in (("shafts", 1), ("shadowless haze", 0)):
+        haze.CloudShadows = cast
+        np.save(f"{sys.argv[1]}-{name}.npy", image(view))
+    pvs.Delete(view)
+    pvs.Delete(sun)
+
+
 def draw_clouds(view, sun):
     clouds = pvs.CloudsovertheGlobe()
     pvs.Show(pvs.Sunlight(Input=pvs.CloudOptics(Input=clouds), Sun=sun), view)
@@ -35,6 +54,8 @@ load_plugin()
 pvs._DisableFirstRenderCameraReset()  # whichever picture is the first
 if wanted("shadows"):
     draw_shadows()
+if wanted("shafts"):
+    draw_shafts()
 sun = pvs.Sun(DateTime="2011-10-11 18:00")
 view = new_view((120, 90))
 globe = pvs.GlobeGrid(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VerticalExaggeration=30)

@@ -289,7 +289,7 @@ vec2 hazeShadowedPart(vec3 from, vec3 perHeight, vec2 part)
 // The part of the sun's beam that clouds keep from haze along a ray, times its phase function: to be taken from the light of haze without clouds.
 float hazeLightInShadow(HazePlace start, vec3 direction, vec2 hazy, float phase)
 {
-  const int parts = 12, samples = 6;
+  const int parts = 8, samples = 6;
   vec3 from = (hazeToShadows * vec4(hazeRayStartVC, 1.0)).xyz;
   vec3 perHeight = mat3(hazeToShadows) * direction / hazeUnit;
   vec2 part = hazeShadowedPart(from, perHeight, hazy);
