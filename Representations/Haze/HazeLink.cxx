@@ -24,7 +24,9 @@ void HazeLink::Tie(vtkRenderer* renderer, vtkHaze* haze)
 {
   this->Renderer = renderer;
   this->Haze = haze;
-  this->Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, this, &HazeLink::OnStart);
+  constexpr float afterTheSun = -1; // which a host sets at the same event
+  this->Observers[0] =
+    renderer->AddObserver(vtkCommand::StartEvent, this, &HazeLink::OnStart, afterTheSun);
   this->Observers[1] = renderer->AddObserver(vtkCommand::EndEvent, this, &HazeLink::OnEnd);
 }
 
