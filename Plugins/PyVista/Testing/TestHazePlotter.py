@@ -77,6 +77,13 @@ class Picture(unittest.TestCase):
 AMBIENT = 2 * (0.2 + 0.15)  # of ground and sky, times the sine of the sun's elevation
 
 
+def exposed(light):
+    """As a display shows it: above 0.75 of white its range is compressed, and the hue is kept."""
+    most = light.max()
+    above = (most - 0.75) / 0.25
+    return light * (0.75 + 0.25 * above / (1 + above)) / most if most > 0.75 else light
+
+
 class Sun(unittest.TestCase):
     """Haze of a vertical optical depth of 1 over flat black ground, in closed form, and on a globe."""
 
@@ -95,7 +102,7 @@ class Sun(unittest.TestCase):
         return plotter.screenshot(return_img=True)[..., :3] / 255
 
     def expect(self, found, light):
-        np.testing.assert_allclose(found, np.minimum(np.array((0.9, 0.6, 0.3)) * light, 1), atol=0.012)
+        np.testing.assert_allclose(found, exposed(np.array((0.9, 0.6, 0.3)) * light), atol=0.012)
 
     def scattered(self, depth, slant, weight=1.0):
         """Looking straight down, the integral over the transparency of what each layer scatters: the beam in closed form, the rest by the rule of Simpson."""
@@ -143,6 +150,19 @@ class Sun(unittest.TestCase):
             plotter.camera_position = [(-5000, 0, 200), (0, 0, 200), (0, 0, 1)]
             picture = plotter.screenshot(return_img=True)[..., :3] / 255
             self.assertGreater(picture[:, 3].min(axis=1).max(), least, f"sun {elevation} degrees high")
+
+    def test_haze_around_the_sun_is_not_white(self):
+        """Nothing is set: the colour of the haze stays, and so does the way in which it becomes brighter towards the sun."""
+        plotter = pyvista.Plotter(off_screen=True, window_size=(90, 60))
+        self.addCleanup(plotter.close)
+        plotter.set_background("black")
+        plotter.add_mesh(pyvista.Plane(i_size=9000, j_size=9000), color="darkgreen")
+        plotter.add_mesh(pyvista.Sphere(radius=400, center=(0, 3000, 900)))
+        nephoscope.add_haze(plotter, sun=(1, 0, 0.2))
+        plotter.camera_position = [(-5000, 0, 200), (0, 0, 700), (0, 0, 1)]
+        row = plotter.screenshot(return_img=True)[20].astype(int)
+        self.assertTrue((np.diff(row[:45, 0]) >= 0).all() and row[44, 0] > row[0, 0] + 10, row[:, 0])
+        self.assertLess(row[:, 0].max(), 0.85 * row[45, 2])
 
     def test_night_of_a_globe(self):
         row = self.picture((1, 0, 0), [(0, -3e7, 0), (0, 0, 0), (0, 0, 1)], ground=False, projection="globe", scale_height=8e3, vertical_exaggeration=20, visibility=1e6,

@@ -274,6 +274,15 @@ float hazeMeanPlaceAt(float depth)
   return depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - 1.0 / (exp(min(depth, 80.0)) - 1.0);
 }
 
+// What is displayed of light: all of it up to a knee, and above less and less, so that bright haze around the sun keeps its colour and its shafts.
+vec3 hazeExposed(vec3 light)
+{
+  const float knee = 0.75;
+  float most = max(light.r, max(light.g, light.b));
+  float above = (most - knee) / (1.0 - knee);
+  return most > knee ? light * (knee + (1.0 - knee) * above / (1.0 + above)) / most : light;
+}
+
 #ifdef HAZE_SHADOWS
 // The part of a ray, in scale heights from its start, that is neither beside the map of shadows nor nearer to the sun.
 vec2 hazeShadowedPart(vec3 from, vec3 perHeight, vec2 part)
@@ -347,7 +356,7 @@ vec3 hazeAirlight(HazePlace start, vec3 step_, float opacity)
 #endif
   float seen = exp(-first) - exp(-before);
   float share = seen > 0.0 ? opacity / seen : 0.0; // the rest is too thin for parts
-  return min(share, 2.0) * sum * hazeTint;
+  return hazeExposed(min(share, 2.0) * sum * hazeTint);
 }
 
 // What haze makes of black between the eye and a place: light, and T.
