@@ -316,7 +316,8 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
   if (work.Planet.Radius <= 0 && work.Sun[2] < 0)
   {
     vtkWarningMacro(
-      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky.");
+      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky. Data that are not on a globe are taken "
+         "to have z upwards: turn others, such as those with y upwards.");
   }
   this->Write(data, work);
   return true;

@@ -77,8 +77,11 @@ void HazeLink::FindSun()
 void HazeLink::FindShadows()
 {
   const bool wanted = this->IsLit && this->Placement.Exists && this->Haze->GetCloudShadows();
+  const bool hadShadows = this->Shadows.Exist();
   this->Shadows.Find(this->Renderer, wanted ? this->Sun : nullptr, this->Haze->GetMaximumOfRanks());
-  this->Tell(this->Shadows.GetProblem(), this->ToldOfShadows);
+  // While scripts change one sun after the other, a frame between has two.
+  const bool isNew = hadShadows && !this->Shadows.GetProblem().empty();
+  this->Tell(isNew ? std::string() : this->Shadows.GetProblem(), this->ToldOfShadows);
   this->Shadows.Bind(vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow()));
 }
 

@@ -95,11 +95,12 @@ std::vector<LitClouds> HazeShadows::FindClouds(vtkRenderer* renderer, const doub
     auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     volume->GetMatrix(matrix);
     double sun[4] = { 0, 0, 0, 0 };
-    if (sunOf(data, sun))
+    if (sunOf(data, sun) && vtkMath::Dot(sun, towardsSun) < sameSun)
     {
-      matrix->MultiplyPoint(sun, sun);
-      vtkMath::Normalize(sun);
-      if (vtkMath::Dot(sun, towardsSun) < sameSun)
+      double turned[4]; // with the volume
+      matrix->MultiplyPoint(sun, turned);
+      vtkMath::Normalize(turned);
+      if (vtkMath::Dot(turned, towardsSun) < sameSun)
       {
         this->Problem = otherSun(towardsSun, sun);
         return;

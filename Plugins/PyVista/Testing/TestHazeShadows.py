@@ -132,6 +132,38 @@ class Shadows(unittest.TestCase):
             warnings.simplefilter("error")
             np.testing.assert_array_equal(self.picture(told(slab(), (0, 0, 3)), (0, 0, 1)), self.picture(slab(), (0, 0, 1)))
 
+    def test_a_turned_volume_keeps_the_sun_it_was_given(self):
+        mesh = told(slab(), (1, 0, 1))
+        for turn in ("RotateZ", "SetScale"):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+            self.addCleanup(plotter.close)
+            plotter.add_mesh(pyvista.Plane(i_size=400, j_size=400), color="black", lighting=False)
+            volume = nephoscope.add_cells(plotter, mesh, "SunTransmittance", opacity=[0, 0], show_scalar_bar=False)
+            getattr(volume, turn)(*{"RotateZ": (90,), "SetScale": (1, 1, 1.5)}[turn])
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                haze = nephoscope.add_haze(plotter, visibility=3.9, scale_height=1, projection="map", base_level=1e-9, sun=(1, 0, 1), asymmetry=0)
+                plotter.camera_position = [(0, 0, 50), (0, 0, 0), (0, 1, 0)]
+                dark = plotter.screenshot(return_img=True)[30, 30].astype(int)
+            haze.SetCloudShadows(False)
+            plotter.render()
+            self.assertGreater((plotter.screenshot(return_img=True)[30, 30] - dark).min(), 10, turn)
+
+    def test_a_film_with_one_sun_after_the_other(self):
+        """Between the clouds and the haze of a new step, a frame has two suns: that is no reason for a warning."""
+        plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for sun in ((-1, 0, 1), (0, 0, 1), (1, 0, 1)):
+                nephoscope.add_cells(plotter, told(slab(), sun), "SunTransmittance", opacity=[0, 0], show_scalar_bar=False, name="clouds")
+                nephoscope.add_haze(plotter, sun=sun)
+                plotter.screenshot(return_img=True)
+        with self.assertWarnsRegex(RuntimeWarning, "Give both the same sun"):
+            nephoscope.add_haze(plotter, sun=(0, 1, 1))
+            plotter.render()
+            plotter.render()
+
     def test_missing_values_cast_no_shadow(self):
         mesh = slab()
         mesh["SunTransmittance"][:] = np.nan
