@@ -4,6 +4,7 @@
 #ifndef SunlightMap_h
 #define SunlightMap_h
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
@@ -12,7 +13,6 @@
 #include <vector>
 
 class vtkDataSet;
-class vtkImageData;
 class vtkMatrix4x4;
 
 namespace nephoscope

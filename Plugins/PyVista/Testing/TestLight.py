@@ -92,6 +92,35 @@ class SunOfScene(unittest.TestCase):
         plotter.close()
 
 
+class SunOfMap(unittest.TestCase):
+    """A date on a map of `to_globe`, without a place: the sun of its middle."""
+
+    def grid(self, west, east):
+        mesh = pyvista.RectilinearGrid(np.linspace(west, east, 5), np.linspace(30, 40, 5), np.linspace(0, 8000, 3))
+        mesh["Extinction"] = np.zeros(mesh.n_points)
+        metres = np.radians(1) * 6.371e6
+        mesh.x, mesh.y = mesh.x * metres, mesh.y * metres
+        mesh.field_data["GlobeGridProjection"], mesh.field_data["PlanetRadius"] = [1.0], [6.371e6]
+        return mesh
+
+    def test_noon_is_where_it_belongs(self):
+        with warnings.catch_warnings():
+            warnings.filterwarnings("ignore", ".*below the horizon", RuntimeWarning)
+            for west, hour in ((130, 3), (490, 3), (-230, 3), (-5, 12), (-125, 20)):  # longitudes may be given with whole turns
+                for later, day in ((0, True), (12, False)):
+                    time = f"2011-10-11 {(hour + later) % 24:02}:00"
+                    mesh = self.grid(west, west + 10)
+                    sun = nephoscope.sunlight(mesh, time).field_data["SunDirection"][0]
+                    self.assertEqual(sun[2] > 0.7, day, (west, time, sun))
+                    plotter = pyvista.Plotter(off_screen=True)
+                    self.addCleanup(plotter.close)
+                    np.testing.assert_allclose(nephoscope.add_haze(plotter, mesh, sun=time).GetSunDirection(), sun, atol=1e-6)
+
+    def test_a_wide_map_has_the_sun_of_its_middle(self):
+        with self.assertWarnsRegex(RuntimeWarning, "A map has one sun: .* longitude 140 and latitude 35. Give place"):
+            nephoscope.sunlight(self.grid(110, 170), "2011-10-11 03:00")
+
+
 class Exposure(unittest.TestCase):
     def test_shading_without_white(self):
         image = picture()

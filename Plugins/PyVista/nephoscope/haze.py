@@ -109,7 +109,8 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     haze.SetAsymmetry(require_number(asymmetry, "asymmetry", least=-0.95, most=0.95))
     haze.SetCloudShadows(bool(cloud_shadows))
     if sun is not None:
-        haze.SetSunDirection(*direction_of(sun, _fields_of_scene(plotter) if mesh is None else mesh.field_data))
+        told_by = _mesh_of_scene(plotter) if mesh is None else mesh
+        haze.SetSunDirection(*direction_of(sun, told_by.field_data, told_by.center))
     warn_when_drawing(haze)
     vtkHaze.SetHaze(plotter.renderer, haze)
     wrap_method(plotter, "clear", _clear)  # removes the haze as well as the actors
@@ -131,16 +132,16 @@ def _vector(values: Numbers, argument: str) -> list[float]:
     return [require_number(value, argument) for value in values]
 
 
-def _fields_of_scene(plotter: pyvista.Plotter) -> Any:
-    """The field data of a mesh in the active renderer that tells of a sun, otherwise of a globe; empty if there is none."""
-    found: Any = {}
+def _mesh_of_scene(plotter: pyvista.Plotter) -> Any:
+    """A mesh in the active renderer that tells of a sun, otherwise of a globe; an empty one if there is none."""
+    found: Any = pyvista.PolyData()
     for actor in plotter.renderer.actors.values():
         mapper = actor.GetMapper() if hasattr(actor, "GetMapper") else None
         mesh = mapper.GetInputDataObject(0, 0) if mapper and mapper.GetNumberOfInputConnections(0) else None
-        fields = pyvista.wrap(mesh).field_data if mesh is not None else {}
-        if "SunDirection" in fields:
-            return fields
-        found = fields if "GlobeGridProjection" in fields and not found else found
+        mesh = pyvista.wrap(mesh) if mesh is not None else pyvista.PolyData()
+        if "SunDirection" in mesh.field_data:
+            return mesh
+        found = mesh if "GlobeGridProjection" in mesh.field_data and "GlobeGridProjection" not in found.field_data else found
     return found
 
 

@@ -59,7 +59,7 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
         Date and time in UTC, such as ``"2011-10-11 18:30"``, instead of a direction.
     place : sequence of 2 float, optional
         Longitude and latitude (degrees) of the place for which the sun is computed at `time`, if the mesh is not a globe from `to_globe`; x points east
-        and y north there. Default: (0, 0), with a warning.
+        and y north there. Default: the middle of a map from `to_globe`, with a warning if it is wider than 30 degrees; otherwise (0, 0), with a warning.
     extinction : str, default: "Extinction"
         Array of the extinction coefficient, 1/length of the mesh.
     albedo, asymmetry : str or float
@@ -139,6 +139,23 @@ def is_on_globe(mesh: pyvista.DataSet) -> bool:
     return "GlobeGridProjection" in mesh.field_data and PROJECTIONS[int(mesh.field_data["GlobeGridProjection"][0])] == "globe"
 
 
+def _middle_of_map(mesh: pyvista.DataSet) -> tuple[float, float]:
+    """Longitude and latitude in degrees of the middle of a map of `to_globe`; 0 and 0 of any other mesh."""
+    if "GlobeGridProjection" not in mesh.field_data or is_on_globe(mesh):
+        return 0.0, 0.0
+    metres = np.radians(1) * float(mesh.field_data["PlanetRadius"][0])
+    longitude, latitude = mesh.center[0] / metres, mesh.center[1] / metres
+    return float((longitude + 180) % 360 - 180), float(np.clip(latitude, -90, 90))
+
+
+def _warn_of_wide_map(mesh: pyvista.DataSet, say: Callable[[str], str]) -> None:
+    longitude, latitude = _middle_of_map(mesh)
+    width = np.ptp(mesh.bounds[:2])
+    if "GlobeGridProjection" in mesh.field_data and not is_on_globe(mesh) and width > np.radians(30) * float(mesh.field_data["PlanetRadius"][0]):
+        warnings.warn(f"A map has one sun: at {say('time')}, it is that of its middle, longitude {longitude:.0f} and latitude {latitude:.0f}. Give {say('place')}, or draw a globe, whose night "
+                      "is where it belongs.", RuntimeWarning, stacklevel=4)
+
+
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, extinction: str,
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
              zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
@@ -159,7 +176,9 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     if time and place is None and "GlobeGridProjection" not in mesh.field_data:
         warnings.warn(f"{say('time')} is a date and time without a place: the sun is that of longitude 0 and latitude 0. Give {say('place')}, the longitude and latitude; "
                       "x points east and y north.", RuntimeWarning, stacklevel=3)
-    place = (0.0, 0.0) if place is None else place
+    if time and place is None:
+        _warn_of_wide_map(mesh, say)
+    place = _middle_of_map(mesh) if place is None else place
     light.SetLongitude(require_number(place[0], say("place"), least=-360, most=360))
     light.SetLatitude(require_number(place[1], say("place"), least=-90, most=90))
     light.SetExtinctionArrayName(extinction)
@@ -311,13 +330,13 @@ def lit_medium(plotter: pyvista.BasePlotter, mesh: pyvista.DataSet, sun: Any, cm
             "clim": (0.0, brightest(mesh, exposure, tone_mapping)) if clim is None else clim}
 
 
-def direction_of(sun: Any, fields: Any) -> np.ndarray:
-    """Towards the sun, given as in `add_cells`, where the field data are those of a mesh."""
+def direction_of(sun: Any, fields: Any, center: Numbers = (0.0, 0.0, 0.0)) -> np.ndarray:
+    """Towards the sun, given as in `add_cells`, where the field data and the centre are those of a mesh."""
     if sun is True:
         if "SunDirection" not in fields:
             raise ValueError("sun is True, but no mesh with light from sunlight() is given or in the scene: pass it as mesh, or a direction or a date as sun.")
         return fields["SunDirection"][0]
-    place = pyvista.PolyData([(0.0, 0.0, 0.0)])
+    place = pyvista.PolyData([tuple(map(float, center))])
     for name in ("GlobeGridProjection", "PlanetRadius"):
         if name in fields:
             place.field_data[name] = fields[name]

@@ -108,6 +108,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
 
     def turn_to(step: float) -> None:
         series.show(int(round(step)))
+        plotter.renderer.ResetCameraClippingRange()
         plotter.render()
 
     if filename is not None:
