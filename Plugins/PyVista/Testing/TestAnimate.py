@@ -207,6 +207,9 @@ class Camera(Animation):
         def close_planes(plotter):
             plotter.add_mesh(pyvista.Sphere(radius=0.1, center=(0.5, 0.5, 0.5)))
             given(plotter)
+        large = [self.block(0, 4000.0)] * 2  # whose camera is set before anything is in the view
+        found, _ = self.seen(large, self.DRAW["cells"], before=lambda p: setattr(p, "camera_position", [(2000, 2000, 20000), (2000, 2000, 2000), (0, 1, 0)]))
+        self.assertGreater(found[0][0], 0.1)
         found, _ = self.seen(toward, self.DRAW["surface"], before=close_planes)
         self.assertTrue(found[1][0] > found[0][0] > found[2][0] > 0)
 

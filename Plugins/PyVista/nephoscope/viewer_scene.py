@@ -13,6 +13,7 @@ import pyvista
 
 from ._blocks import cell_dimension
 from ._fields import is_helper, presets
+from ._globe_camera import look_at_region
 from .cells import add_cells
 from .cloud_texture import add_cloud_texture
 from .clouds import cloud_surface
@@ -85,13 +86,14 @@ def draw(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> list[str]:
 
 
 def _look(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> None:
-    """The camera of the view, or the usual one; for smoke on a globe it looks at the side with the smoke."""
+    """The camera of the view, or the usual one: above a region, at a whole globe from the side with the smoke."""
     if view.camera:
         plotter.camera_position = np.reshape(view.camera, (3, 3)).tolist()
     elif scene.choices.globe:
         smoke = [actor for actor in plotter.actors.values() if isinstance(actor, pyvista.Volume)] if view.technique == "smoke" else []
         plotter.view_vector(smoke[0].center if smoke else (1, 1, 0.6), viewup=(0, 0, 1))
         plotter.camera.Dolly(GLOBE_ZOOM)  # a zoom would change the view angle, which a link does not contain
+        look_at_region(plotter, scene.grid(view))
     else:
         plotter.view_isometric()
     plotter.reset_camera_clipping_range()
