@@ -55,6 +55,25 @@ class Files(unittest.TestCase):
         self.assertEqual(len(choices.times), 7)
         self.assertEqual((choices.globe, choices.terrain), (True, True))
 
+    def test_a_region_is_seen_from_above(self):
+        """It fills the picture, above a ground with coasts."""
+        import xarray
+        forecast = xarray.open_dataset(FORECAST, mask_and_scale=False)
+        axes = {name: name for name in forecast.dims if name.startswith(("lon", "lat"))}
+        self.assertEqual(len(axes), 2)
+        forecast.isel({name: slice(2, 6) for name in axes}).drop_vars(["orog", "lsm"], errors="ignore").to_netcdf(self.folder / "region.nc")
+        scene = Scene(self.folder / "region.nc")
+        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 90))
+        self.addCleanup(plotter.close)
+        for technique in ("cells", "smoke"):
+            view = checked(View(technique=technique), scene.choices)[0]
+            draw(plotter, scene, view)
+            middle = np.mean(scene.grid(view).points, axis=0)
+            eye = np.array(plotter.camera.position)
+            self.assertGreater(middle @ eye / np.linalg.norm(middle) / np.linalg.norm(eye), 0.97, technique)
+            self.assertLess(np.linalg.norm(eye - middle), 3 * np.linalg.norm(np.ptp(scene.grid(view).points, axis=0)), technique)
+        self.assertTrue(scene.choices.terrain or any(actor.GetTexture() for actor in plotter.actors.values() if isinstance(actor, pyvista.Actor)))
+
     def test_every_item_changes_the_picture(self):
         scene = Scene(FORECAST)
         first = self.picture(scene)

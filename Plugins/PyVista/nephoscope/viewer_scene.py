@@ -24,8 +24,8 @@ from .splats import add_splats
 from .terrain import add_terrain, terrain_surface
 from .viewer_sources import KEPT, one_sentence, source_of
 from .viewer_state import Choices, View
+from .weather.ground import add_ground
 
-EARTH = "#33506b"  # of the sphere, if there is no terrain
 BAR = {"width": 0.25, "height": 0.08, "position_x": 0.72, "position_y": 0.02, "n_labels": 3, "fmt": "%.4g", "title_font_size": 16, "label_font_size": 14}
 GLOBE_ZOOM = 1.4    # nearer than PyVista's camera, which leaves room for the corners of a box
 OPTICAL_DEPTH = 3   # of a cloud surface, as add_cloud_texture has it
@@ -66,7 +66,7 @@ class Scene:
         if view.terrain and self.choices.terrain:
             add_terrain(plotter, self._terrain(view), show_scalar_bar=False, render=False)
         else:
-            plotter.add_mesh(globe_surface(below=self.grid(view)), color=EARTH, show_scalar_bar=False, render=False)
+            add_ground(plotter, globe_surface(below=self.grid(view)), render=False)
 
 
 def draw(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> list[str]:
