@@ -9,6 +9,7 @@
 #include "SplatVectorScene.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkDataSet.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"

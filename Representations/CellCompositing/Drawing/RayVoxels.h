@@ -28,6 +28,7 @@ namespace nephoscope
 {
 
 struct CellDrawing;
+struct SceneView;
 
 class RayVoxels
 {

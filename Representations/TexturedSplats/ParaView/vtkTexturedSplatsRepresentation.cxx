@@ -11,6 +11,7 @@
 #include "vtkTexturedSplatMapper.h"
 
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
