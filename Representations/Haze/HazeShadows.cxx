@@ -44,8 +44,9 @@ void forEachLitVolume(
       : nullptr;
     ForEachLeaf(data, [&](vtkDataObject* leaf) {
       auto* set = vtkDataSet::SafeDownCast(leaf);
-      if (set && !set->IsA("vtkPolyData") && set->GetNumberOfCells() > 0 &&
-        set->GetPointData()->HasArray("SunTransmittance"))
+      vtkDataArray* fraction = set ? set->GetPointData()->GetArray("SunTransmittance") : nullptr;
+      if (fraction && fraction->GetNumberOfTuples() == set->GetNumberOfPoints() &&
+        !set->IsA("vtkPolyData") && set->GetNumberOfCells() > 0)
       {
         body(volume, set);
       }
