@@ -5,12 +5,13 @@
 # The script `nephoscope` sets both for the hosts, from the cache. The tests set NEPHOSCOPE_TEST_PRELOAD, which has one library more.
 set(NEPHOSCOPE_PRELOAD_FOLDER "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/preload" CACHE INTERNAL "Where our libraries to preload are")
 set(nephoscope_preload)
-# The runtime of the sanitizer, because Python was built without it. It must be the first.
+# The runtime of the sanitizer, because Python was built without it. It must be the first; and libstdc++, whose exceptions it would not know
+# in a program that starts without it.
 if (NEPHOSCOPE_SANITIZE MATCHES "address|thread" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   string(SUBSTRING "${CMAKE_MATCH_0}" 0 1 letter)
   execute_process(COMMAND "${CMAKE_CXX_COMPILER}" "-print-file-name=lib${letter}san.so"
     OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE)
-  list(APPEND nephoscope_preload "${runtime}")
+  list(APPEND nephoscope_preload "${runtime}" libstdc++.so.6)
 endif ()
 # VTK before 9.3.1 misreads its XML files with a recent libexpat; preload/whole_tokens.c tells why.
 if (CMAKE_SYSTEM_NAME STREQUAL "Linux" AND VTK_VERSION VERSION_LESS 9.3.1)
