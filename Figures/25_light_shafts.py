@@ -14,7 +14,7 @@ import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  the factory
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkVolume
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
 import nephoscope  # noqa: E402
@@ -87,11 +87,10 @@ def water():
     plane.SetOrigin(-2e5, -2e5, 0)
     plane.SetPoint1(2e5, -2e5, 0)
     plane.SetPoint2(-2e5, 2e5, 0)
-    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(plane.GetOutputPort())
-    actor.SetMapper(mapper)
+    actor = vtk_globe.actor_of(mapper, ambient=1.0, diffuse=0.0)
     actor.GetProperty().SetColor(WATER)
-    actor.GetProperty().LightingOff()
     return actor
 
 
@@ -102,11 +101,7 @@ def panel(window, data, left, shadows):
     window.AddRenderer(renderer)
     renderer.AddActor(water())
     renderer.AddVolume(volume(data))
-    camera = renderer.GetActiveCamera()
-    camera.SetPosition(-6000, -2000, 700)
-    camera.SetFocalPoint(8000, 0, 2000)
-    camera.SetViewUp(0, 0, 1)
-    camera.SetViewAngle(42)
+    vtk_globe.look(renderer, eye=(-6000, -2000, 700), focus=(8000, 0, 2000), up=(0, 0, 1), angle=42)
     renderer.ResetCameraClippingRange()
     haze = nephoscope.vtkHaze()
     haze.SetProjectionToMap()

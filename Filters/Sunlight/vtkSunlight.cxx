@@ -316,8 +316,8 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
   if (work.Planet.Radius <= 0 && work.Sun[2] < 0)
   {
     vtkWarningMacro(
-      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky. Data that are not on a globe are taken "
-         "to have z upwards: turn others, such as those with y upwards.");
+      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky. On data that are not a globe, "
+         "z is up: rotate data that have another vertical axis.");
   }
   this->Write(data, work);
   return true;

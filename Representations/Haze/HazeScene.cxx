@@ -31,7 +31,7 @@ HazeScene::HazeScene(vtkRenderer* renderer)
   take("VerticalExaggeration", this->VerticalExaggeration);
 }
 
-void HazeScene::Join(const std::function<void(double* numbers, int count)>& maximum)
+void HazeScene::Join(const MaximumOfRanks& maximum)
 {
   double most[9] = { -this->Low[0], -this->Low[1], -this->Low[2], this->High[0], this->High[1],
     this->High[2], this->GlobeGridProjection, this->PlanetRadius, this->VerticalExaggeration };

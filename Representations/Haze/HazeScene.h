@@ -14,6 +14,9 @@ class vtkRenderer;
 namespace nephoscope
 {
 
+/** Replaces each number by the greatest of all ranks. */
+using MaximumOfRanks = std::function<void(double* numbers, int count)>;
+
 struct HazeScene
 {
   double Low[3] = { infinity(), infinity(), infinity() };
@@ -28,7 +31,7 @@ struct HazeScene
   explicit HazeScene(vtkRenderer* renderer);
 
   /** The scene of all ranks. */
-  void Join(const std::function<void(double* numbers, int count)>& maximum);
+  void Join(const MaximumOfRanks& maximum);
 
   bool IsEmpty() const { return !(this->Low[0] <= this->High[0]); }
   double Diagonal() const

@@ -36,7 +36,7 @@ namespace nephoscope
 namespace
 {
 const char* const fractionName = "SunTransmittance";
-constexpr double samples = 1 << 19; // of the lattice, at most
+constexpr double samples = 1 << 19; // of the lattice, about
 constexpr double unknown = -1;
 constexpr double rounding = 1e-6; // of places in the lattice
 
@@ -53,17 +53,15 @@ vtkSmartPointer<vtkDataSet> fractionsOf(vtkDataSet* data)
 {
   auto bare = vtk::TakeSmartPointer(data->NewInstance());
   bare->CopyStructure(data);
-  bare->GetPointData()->AddArray(data->GetPointData()->GetArray(fractionName));
-  for (vtkDataSetAttributes* all : { static_cast<vtkDataSetAttributes*>(data->GetPointData()),
-         static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
-  {
-    if (vtkDataArray* ghosts = all->GetArray(vtkDataSetAttributes::GhostArrayName()))
+  const auto share = [](vtkDataSetAttributes* from, vtkDataSetAttributes* to, const char* name) {
+    if (vtkDataArray* array = from->GetArray(name))
     {
-      (all == data->GetPointData() ? static_cast<vtkDataSetAttributes*>(bare->GetPointData())
-                                   : static_cast<vtkDataSetAttributes*>(bare->GetCellData()))
-        ->AddArray(ghosts);
+      to->AddArray(array);
     }
-  }
+  };
+  share(data->GetPointData(), bare->GetPointData(), fractionName);
+  share(data->GetPointData(), bare->GetPointData(), vtkDataSetAttributes::GhostArrayName());
+  share(data->GetCellData(), bare->GetCellData(), vtkDataSetAttributes::GhostArrayName());
   return bare;
 }
 
@@ -130,8 +128,11 @@ SunlightMap::SunlightMap(
     static_cast<std::size_t>(this->Image->GetNumberOfPoints()), unknown);
   for (const LitClouds& each : clouds)
   {
-    this->SampleInside(each, fractions);
-    this->SampleFaces(each, fractions);
+    const vtkSmartPointer<vtkDataSet> bare = fractionsOf(each.Data);
+    vtkNew<vtkMatrix4x4> toSun;
+    vtkMatrix4x4::Multiply4x4(this->ToSun, each.ToWorld, toSun);
+    this->SampleInside(bare, toSun, fractions);
+    this->SampleFaces(bare, toSun, fractions);
   }
   maximum(fractions.data(), static_cast<int>(fractions.size()));
   const int* size = this->Image->GetDimensions();
@@ -222,23 +223,21 @@ bool SunlightMap::FindLattice(const std::vector<LitClouds>& clouds, const Maximu
 }
 
 // Grids of another kind are moved into the frame of the sun, where a lattice is sampled cell by cell.
-void SunlightMap::SampleInside(const LitClouds& clouds, std::vector<double>& fractions) const
+void SunlightMap::SampleInside(
+  vtkDataSet* clouds, vtkMatrix4x4* toSun, std::vector<double>& fractions) const
 {
-  vtkNew<vtkMatrix4x4> toSun, toData;
-  vtkMatrix4x4::Multiply4x4(this->ToSun, clouds.ToWorld, toSun);
-  vtkMatrix4x4::Invert(toSun, toData);
-  const vtkSmartPointer<vtkDataSet> bare = fractionsOf(clouds.Data);
-  const bool findsCells = bare->IsA("vtkImageData") || bare->IsA("vtkRectilinearGrid");
   vtkNew<vtkProbeFilter> probe;
-  if (findsCells)
+  if (clouds->IsA("vtkImageData") || clouds->IsA("vtkRectilinearGrid"))
   {
+    vtkNew<vtkMatrix4x4> toData;
+    vtkMatrix4x4::Invert(toSun, toData);
     probe->SetInputData(placesIn(this->Image, toData));
-    probe->SetSourceData(bare);
+    probe->SetSourceData(clouds);
   }
   else
   {
     probe->SetInputData(this->Image);
-    probe->SetSourceData(moved(bare, toSun));
+    probe->SetSourceData(moved(clouds, toSun));
   }
   probe->Update();
   vtkPointData* probed = probe->GetOutput()->GetPointData();
@@ -255,12 +254,11 @@ void SunlightMap::SampleInside(const LitClouds& clouds, std::vector<double>& fra
 }
 
 // A mesh that is thin for the lattice has few nodes in it, or none: every face darkens the next node behind it.
-void SunlightMap::SampleFaces(const LitClouds& clouds, std::vector<double>& fractions) const
+void SunlightMap::SampleFaces(
+  vtkDataSet* clouds, vtkMatrix4x4* toSun, std::vector<double>& fractions) const
 {
-  vtkNew<vtkMatrix4x4> toSun;
-  vtkMatrix4x4::Multiply4x4(this->ToSun, clouds.ToWorld, toSun);
   vtkNew<vtkGeometryFilter> geometry;
-  geometry->SetInputData(fractionsOf(clouds.Data));
+  geometry->SetInputData(clouds);
   geometry->Update();
   vtkPolyData* faces = geometry->GetOutput();
   vtkDataArray* fraction = faces->GetPointData()->GetArray(fractionName);

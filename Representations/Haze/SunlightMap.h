@@ -4,12 +4,13 @@
 #ifndef SunlightMap_h
 #define SunlightMap_h
 
+#include "HazeScene.h"
+
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
 #include <array>
-#include <functional>
 #include <vector>
 
 class vtkDataSet;
@@ -23,9 +24,6 @@ struct LitClouds
   vtkSmartPointer<vtkDataSet> Data; ///< with the point array SunTransmittance
   vtkSmartPointer<vtkMatrix4x4> ToWorld;
 };
-
-/** Replaces each number by the greatest of all ranks. */
-using MaximumOfRanks = std::function<void(double* numbers, int count)>;
 
 class SunlightMap
 {
@@ -46,8 +44,9 @@ public:
 private:
   void FindFrame(const double towardsSun[3]);
   bool FindLattice(const std::vector<LitClouds>& clouds, const MaximumOfRanks& maximum);
-  void SampleInside(const LitClouds& clouds, std::vector<double>& fractions) const;
-  void SampleFaces(const LitClouds& clouds, std::vector<double>& fractions) const;
+  /** `clouds` have the fractions alone. */
+  void SampleInside(vtkDataSet* clouds, vtkMatrix4x4* toSun, std::vector<double>& fractions) const;
+  void SampleFaces(vtkDataSet* clouds, vtkMatrix4x4* toSun, std::vector<double>& fractions) const;
 
   using Corner = std::array<double, 4>; // place and fraction
   Corner InLattice(const double place[3], vtkMatrix4x4* toSun) const;

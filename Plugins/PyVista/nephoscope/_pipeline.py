@@ -90,7 +90,7 @@ _NAMES_OF_MAPPERS = {
 
 
 def warn_when_drawing(mapper: vtkObject) -> None:
-    """Turns reports of a mapper, or of another object that acts while the plotter draws, which occur when it draws, into RuntimeWarnings at the line that made the plotter draw.
+    """Turns what a mapper, or the haze, reports while the plotter draws into RuntimeWarnings at the line that made the plotter draw.
 
     The warnings use argument names instead of VTK's properties. Errors become warnings too, because an exception cannot pass through VTK's rendering.
     """

@@ -141,7 +141,7 @@ vec3 hazeStart(vec3 placeVC)
 
 vec3 hazeRayStartVC = vec3(0.0); // of the present ray
 
-// The same in scale heights; over flat ground only its altitude.
+// The same in scale heights; over flat ground only its altitude. The ray from there becomes the present one.
 HazePlace hazePlaceOfStart(vec3 startVC)
 {
   hazeRayStartVC = startVC;
