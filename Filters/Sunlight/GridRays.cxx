@@ -129,7 +129,8 @@ struct GridRays::Path
 
   bool GoesOn()
   {
-    return this->Ray.Height() < this->End && this->Walk.Inside() && --this->Left > 0;
+    return this->Ray.Height() < this->End && !this->Ray.IsDark() && this->Walk.Inside() &&
+      --this->Left > 0;
   }
 };
 

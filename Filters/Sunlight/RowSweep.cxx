@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RowSweep.h"
 
+#include "EachProcessor.h"
+
 namespace nephoscope
 {
 namespace
@@ -59,7 +61,8 @@ void findPiecesFrom(
 }
 }
 
-void RowSweep::Run(int first, int count, int forward, std::ptrdiff_t upstream)
+NEPHOSCOPE_FOR_EACH_PROCESSOR void RowSweep::Run(
+  int first, int count, int forward, std::ptrdiff_t upstream)
 {
   const int low = forward > 0 ? first : first - count + 1;
   for (int i = low; i < low + count; ++i)
@@ -84,8 +87,15 @@ void RowSweep::Run(int first, int count, int forward, std::ptrdiff_t upstream)
       this->Slopes[u], this->Slopes[v],
       { points[upstreamOf[axis][0]], points[upstreamOf[axis][1]], points[upstreamOf[axis][2]],
         points[upstreamOf[axis][3]] } };
-    (axis == 0 ? findPiecesFrom<true> : findPiecesFrom<false>)(least, same, crossing, this->Here,
-      this->Factor.data(), this->Rest.data());
+    float *factor = this->Factor.data(), *rest = this->Rest.data();
+    if (axis == 0)
+    {
+      findPiecesFrom<true>(least, same, crossing, this->Here, factor, rest);
+    }
+    else
+    {
+      findPiecesFrom<false>(least, same, crossing, this->Here, factor, rest);
+    }
     float* radiance = this->Here.Radiance;
     for (int n = 0, i = start; n < same; ++n, i += forward)
     {

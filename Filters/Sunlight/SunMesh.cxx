@@ -200,7 +200,7 @@ std::array<double, 2> SunMesh::DepthsFrom(std::int32_t number) const
       return this->Begin(point, path);
     });
   for (std::size_t left = begins ? this->Tetrahedra.size() : 0;
-       left > 0 && path.Next != none && path.Ray.Height() < end; --left)
+       left > 0 && path.Next != none && path.Ray.Height() < end && !path.Ray.IsDark(); --left)
   {
     this->Step(path);
   }

@@ -29,6 +29,8 @@ public:
   }
 
   double Height() const { return this->Z; }
+  /** Whether less than 1e-17 of the light goes on, so that the rest of the way changes nothing. */
+  bool IsDark() const { return this->Sums[1] > 40; }
   std::array<double, 2> Depths() const
   {
     return { { std::max(this->Sums[0], 0.0), std::max(this->Sums[1], 0.0) } };
