@@ -10,16 +10,20 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkProbeFilter.h"
 #include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace nephoscope
@@ -173,7 +177,46 @@ std::vector<Place> placesOf(vtkDataSet* data)
 
 namespace
 {
-std::unique_ptr<SunMesh> sunMeshOf(vtkDataSet* data, const std::vector<std::int32_t>& merged)
+// What ghost flags hide is not there. Cells that other ranks draw, and refined ones, are.
+class HiddenCells
+{
+public:
+  explicit HiddenCells(vtkDataSet* data)
+    : Cells(data->GetCellGhostArray())
+    , Points(data->GetPointGhostArray())
+  {
+  }
+
+  bool HasAny() const
+  {
+    return has(this->Cells, vtkDataSetAttributes::HIDDENCELL) ||
+      has(this->Points, vtkDataSetAttributes::HIDDENPOINT);
+  }
+
+  bool Has(vtkIdType cell, vtkIdList* points) const
+  {
+    const auto isHidden = [this](vtkIdType p) {
+      return (this->Points->GetValue(p) & vtkDataSetAttributes::HIDDENPOINT) != 0;
+    };
+    return (this->Cells && (this->Cells->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0) ||
+      (this->Points && std::any_of(points->begin(), points->end(), isHidden));
+  }
+
+private:
+  static bool has(vtkUnsignedCharArray* ghosts, unsigned char flag)
+  {
+    const vtkIdType count = ghosts ? ghosts->GetNumberOfValues() : 0;
+    const unsigned char* values = ghosts ? ghosts->GetPointer(0) : nullptr;
+    return std::any_of(
+      values, values + count, [flag](unsigned char one) { return (one & flag) != 0; });
+  }
+
+  vtkUnsignedCharArray* Cells;
+  vtkUnsignedCharArray* Points;
+};
+
+std::unique_ptr<SunMesh> sunMeshOf(
+  vtkDataSet* data, const HiddenCells& hidden, const std::vector<std::int32_t>& merged)
 {
   std::vector<SunMesh::Tetrahedron> tetrahedra;
   tetrahedra.reserve(5 * data->GetNumberOfCells());
@@ -181,33 +224,41 @@ std::unique_ptr<SunMesh> sunMeshOf(vtkDataSet* data, const std::vector<std::int3
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     source.IsHidden(cell); // reads its points
-    source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
-      tetrahedra.push_back({ { merged[t[0]], merged[t[1]], merged[t[2]], merged[t[3]] } });
-    });
+    if (!hidden.Has(cell, source.GetPoints()))
+    {
+      source.EmitTetrahedra(cell, [&](const std::array<vtkIdType, 4>& t) {
+        tetrahedra.push_back({ { merged[t[0]], merged[t[1]], merged[t[2]], merged[t[3]] } });
+      });
+    }
   }
   return std::make_unique<SunMesh>(std::move(tetrahedra), merged);
 }
 }
 
-// What is hidden lets light through.
 std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
   const std::vector<Fields>& fields, const Place& sun)
 {
   const Loop loop = [](std::int64_t count, const auto& body) {
     inParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
   };
+  const HiddenCells hidden(data);
   const bool mayCoincide = !vtkImageData::SafeDownCast(data);
-  const std::vector<std::int32_t> merged =
+  std::vector<std::int32_t> merged =
     mayCoincide ? mergedPoints(places) : std::vector<std::int32_t>();
   std::vector<SunPoint> points = sunPoints(places, fields, merged, sun, loop);
   const ChessboardGrid grid = findChessboardGrid(data);
   auto rays = std::make_unique<GridRays>(grid);
-  if (!grid.IsEmpty() && rays->Connect(merged))
+  if (!grid.IsEmpty() && !hidden.HasAny() && rays->Connect(merged))
   {
     rays->Turn(std::move(points));
     return rays;
   }
-  std::unique_ptr<SunMesh> mesh = sunMeshOf(data, merged);
+  if (!mayCoincide)
+  {
+    merged.resize(places.size());
+    std::iota(merged.begin(), merged.end(), 0);
+  }
+  std::unique_ptr<SunMesh> mesh = sunMeshOf(data, hidden, merged);
   mesh->Turn(std::move(points));
   return mesh;
 }

@@ -33,14 +33,14 @@ namespace
 constexpr double never = std::numeric_limits<double>::max();
 }
 
-LastClouds::Box::Box()
+SunBox::SunBox()
   : Least{ never, never }
   , Most{ -never, -never }
   , Height(-never)
 {
 }
 
-void LastClouds::Box::Add(const SunPoint& point)
+void SunBox::Add(const SunPoint& point)
 {
   const double at[2] = { point.X, point.Y };
   for (int axis = 0; axis < 2; ++axis)
@@ -55,7 +55,7 @@ LastClouds::LastClouds(const std::vector<SunPoint>& points)
   : Size(static_cast<int>(std::min(std::max(std::sqrt(double(points.size())), 16.0), 1024.0)))
   , Heights(std::size_t(this->Size) * this->Size, -never)
 {
-  Box box;
+  SunBox box;
   for (const SunPoint& point : points)
   {
     box.Add(point);
@@ -75,7 +75,7 @@ int LastClouds::Pixel(double x, int axis) const
 }
 
 // A little farther than the cell, since rays pass beside points.
-void LastClouds::Raise(const Box& box)
+void LastClouds::Raise(const SunBox& box)
 {
   int from[2], to[2];
   for (int axis = 0; axis < 2; ++axis)

@@ -30,6 +30,13 @@ struct SunPoint
 std::vector<SunPoint> sunPoints(const std::vector<Place>& places, const std::vector<Fields>& fields,
   const std::vector<std::int32_t>& merged, const Place& towardsSun, const Loop& loop);
 
+struct SunBox
+{
+  double Least[2], Most[2], Height;
+  SunBox();
+  void Add(const SunPoint& point);
+};
+
 /** Where the last clouds are towards the sun: a map across its direction, of pixels no lower than the clouds in them. */
 class LastClouds
 {
@@ -41,7 +48,7 @@ public:
   template <typename Vertices>
   void Add(const std::vector<SunPoint>& points, const Vertices& vertices)
   {
-    Box box;
+    SunBox box;
     bool isCloudy = false;
     for (const auto p : vertices)
     {
@@ -60,14 +67,8 @@ public:
   }
 
 private:
-  struct Box
-  {
-    double Least[2], Most[2], Height;
-    Box();
-    void Add(const SunPoint& point);
-  };
   int Pixel(double x, int axis) const;
-  void Raise(const Box& box);
+  void Raise(const SunBox& box);
 
   int Size = 0;
   double Origin[2] = { 0, 0 }, PerLength[2] = { 0, 0 };

@@ -3,10 +3,12 @@
 #include "SunMesh.h"
 
 #include "SunRay.h"
+#include "Vector3.h"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -21,6 +23,14 @@ struct Face
 };
 
 constexpr std::int32_t none = -1;
+
+// Whether the sun sees the point in front of the face.
+bool isAbove(const SunPoint& point, const SunPoint& a, const SunPoint& b, const SunPoint& c)
+{
+  const Place u{ { b.X - a.X, b.Y - a.Y, b.Z - a.Z } }, v{ { c.X - a.X, c.Y - a.Y, c.Z - a.Z } },
+    normal = cross(u, v);
+  return normal[2] * dot(normal, Place{ { point.X - a.X, point.Y - a.Y, point.Z - a.Z } }) > 0;
+}
 
 Face faceOf(const SunMesh::Tetrahedron& t, std::int32_t number, int vertex)
 {
@@ -123,6 +133,29 @@ void SunMesh::Turn(std::vector<SunPoint> points)
   {
     this->Clouds.Add(this->Points, t);
   }
+  this->Entries = EntryFaces(this->Points, this->FacesFromBelow());
+}
+
+// Boundary faces whose tetrahedron is on their side towards the sun.
+std::vector<EntryFaces::Face> SunMesh::FacesFromBelow() const
+{
+  std::vector<EntryFaces::Face> faces;
+  for (std::size_t number = 0; number < this->Tetrahedra.size(); ++number)
+  {
+    const Tetrahedron& t = this->Tetrahedra[number];
+    for (int v = 0; v < 4; ++v)
+    {
+      const EntryFaces::Face face{ { { t[(v + 1) % 4], t[(v + 2) % 4], t[(v + 3) % 4] } },
+        static_cast<std::int32_t>(number) };
+      if (this->Neighbours[number][v] == none && !this->IsFlat(number) &&
+        isAbove(this->Points[t[v]], this->Points[face.Points[0]], this->Points[face.Points[1]],
+          this->Points[face.Points[2]]))
+      {
+        faces.push_back(face);
+      }
+    }
+  }
+  return faces;
 }
 
 // The longest edge at a point, across the direction of the sun.
@@ -146,6 +179,8 @@ struct SunMesh::Path
   SunRay Ray;
   std::int32_t Next = none;           // tetrahedron
   std::array<std::int32_t, 3> Face{}; // where it is entered
+  double LastEntry =
+    std::numeric_limits<double>::lowest(); // height where the ray last entered the mesh
 };
 
 // In one of the tetrahedra at the point.
@@ -183,6 +218,14 @@ void SunMesh::Step(Path& path) const
   path.Next = this->Neighbours[path.Next][left - t.begin()];
 }
 
+// Across a gap, if there is more of the mesh behind it.
+bool SunMesh::Enter(Path& path) const
+{
+  path.Next = this->Entries.Next(this->Points, path.LastEntry, path.Ray, path.Face);
+  path.LastEntry = path.Ray.Height();
+  return path.Next != none;
+}
+
 std::array<double, 2> SunMesh::DepthsFrom(std::int32_t number) const
 {
   Path path;
@@ -194,14 +237,24 @@ std::array<double, 2> SunMesh::DepthsFrom(std::int32_t number) const
     return path.Ray.Depths();
   }
   const double size = 1e-9 * this->SizeAt(point);
-  const bool begins =
-    std::any_of(std::begin(sidesOfRay), std::end(sidesOfRay), [&](const auto& side) {
-      path.Ray = SunRay(here, size * side[0], size * side[1]);
-      return this->Begin(point, path);
+  const auto starts = [&](const auto& begin) {
+    return std::any_of(std::begin(sidesOfRay), std::end(sidesOfRay), [&](const auto& side) {
+      path = Path{ SunRay(here, size * side[0], size * side[1]) };
+      return begin();
     });
-  for (std::size_t left = begins ? this->Tetrahedra.size() : 0;
-       left > 0 && path.Next != none && path.Ray.Height() < end && !path.Ray.IsDark(); --left)
+  };
+  if (!starts([&] { return this->Begin(point, path); }) &&
+    !starts([&] { return this->Enter(path); }))
   {
+    return SunRay().Depths();
+  }
+  for (std::size_t left = this->Tetrahedra.size();
+       left > 0 && path.Ray.Height() < end && !path.Ray.IsDark(); --left)
+  {
+    if (path.Next == none && !this->Enter(path))
+    {
+      break;
+    }
     this->Step(path);
   }
   return path.Ray.Depths();

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Ways to the sun through tetrahedra of any order, through the faces between them. Plain C++17. */
+/** Ways to the sun through tetrahedra of any order: through the faces between them, and across gaps. Plain C++17. */
 #ifndef nephoscope_SunMesh_h
 #define nephoscope_SunMesh_h
 
+#include "EntryFaces.h"
 #include "SunFrame.h"
 
 namespace nephoscope
@@ -28,6 +29,8 @@ private:
   double SizeAt(std::int32_t point) const;
   bool Begin(std::int32_t point, Path& path) const;
   void Step(Path& path) const;
+  bool Enter(Path& path) const;
+  std::vector<EntryFaces::Face> FacesFromBelow() const;
 
   std::vector<std::int32_t> Merged;
   std::vector<Tetrahedron> Tetrahedra;
@@ -35,6 +38,7 @@ private:
   std::vector<std::int32_t> First, OfPoint;
   std::vector<SunPoint> Points;
   LastClouds Clouds;
+  EntryFaces Entries;
 };
 }
 

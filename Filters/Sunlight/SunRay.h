@@ -29,6 +29,7 @@ public:
   }
 
   double Height() const { return this->Z; }
+  double Across(int axis) const { return axis == 0 ? this->X : this->Y; }
   /** Whether less than 1e-17 of the light goes on, so that the rest of the way changes nothing. */
   bool IsDark() const { return this->Sums[1] > 40; }
   std::array<double, 2> Depths() const
@@ -39,32 +40,28 @@ public:
   /** Goes to this face across from the point: 1, or -1 if it has put the last two vertices in the place of one another; 0: the face is below or beside. */
   int Start(const SunPoint& a, const SunPoint& b, const SunPoint& c)
   {
-    this->Set(0, a);
-    this->Set(1, b);
-    this->Set(2, c);
-    for (int k = 0; k < 3; ++k)
-    {
-      const int i = (k + 1) % 3, j = (k + 2) % 3;
-      this->Area[k] = this->FaceX[i] * this->FaceY[j] - this->FaceY[i] * this->FaceX[j];
-    }
-    const bool turned = this->Area[0] + this->Area[1] + this->Area[2] < 0;
-    if (turned)
-    {
-      this->Set(1, c);
-      this->Set(2, b);
-      const double second = this->Area[1];
-      this->Area[0] = -this->Area[0];
-      this->Area[1] = -this->Area[2];
-      this->Area[2] = -second;
-    }
-    const double sum = this->Area[0] + this->Area[1] + this->Area[2];
-    if (!(sum > 0) || this->Area[0] < 0 || this->Area[1] < 0 || this->Area[2] < 0 ||
-      this->SumOf(this->FaceZ) <= this->Z * sum)
+    const int turn = this->Face(a, b, c);
+    if (turn == 0 ||
+      this->SumOf(this->FaceZ) <= this->Z * (this->Area[0] + this->Area[1] + this->Area[2]))
     {
       return 0;
     }
     this->Go();
-    return turned ? -1 : 1;
+    return turn;
+  }
+
+  /** Goes to this face through nothing. Returns the same as Start; 0: the face is beside. */
+  int Enter(const SunPoint& a, const SunPoint& b, const SunPoint& c)
+  {
+    const int turn = this->Face(a, b, c);
+    if (turn != 0)
+    {
+      const double scale = 1 / (this->Area[0] + this->Area[1] + this->Area[2]);
+      this->Here[0] = scale * this->SumOf(this->First);
+      this->Here[1] = scale * this->SumOf(this->Second);
+      this->Z = scale * this->SumOf(this->FaceZ);
+    }
+    return turn;
   }
 
   /** Through a tetrahedron with this vertex above the last face. Returns which vertex of the face (0 to 2) the new one replaces. */
@@ -92,6 +89,32 @@ public:
   }
 
 private:
+  // The face that is looked at, turned so that areas are positive: 1, turned -1; 0: the ray passes it by.
+  int Face(const SunPoint& a, const SunPoint& b, const SunPoint& c)
+  {
+    this->Set(0, a);
+    this->Set(1, b);
+    this->Set(2, c);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int i = (k + 1) % 3, j = (k + 2) % 3;
+      this->Area[k] = this->FaceX[i] * this->FaceY[j] - this->FaceY[i] * this->FaceX[j];
+    }
+    const bool turned = this->Area[0] + this->Area[1] + this->Area[2] < 0;
+    if (turned)
+    {
+      this->Set(1, c);
+      this->Set(2, b);
+      const double second = this->Area[1];
+      this->Area[0] = -this->Area[0];
+      this->Area[1] = -this->Area[2];
+      this->Area[2] = -second;
+    }
+    const bool within = this->Area[0] + this->Area[1] + this->Area[2] > 0 && this->Area[0] >= 0 &&
+      this->Area[1] >= 0 && this->Area[2] >= 0;
+    return !within ? 0 : turned ? -1 : 1;
+  }
+
   // Rounding: through an edge, or a little past the tetrahedron.
   static int throughEdge(double* s)
   {

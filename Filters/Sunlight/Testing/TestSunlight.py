@@ -12,8 +12,8 @@ from nephoscope_testing import threads
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStructuredGrid
-from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkStructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkThreshold
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 
 # I3RC phase 1 case 1, sun overhead: consensus of the codes that took part (public results of the Intercomparison of 3D Radiation Codes, Cahalan et al.
@@ -44,6 +44,12 @@ def add(data, name, values):
     array = numpy_to_vtk(np.ascontiguousarray(values, float), deep=1)
     array.SetName(name)
     data.GetPointData().AddArray(array)
+
+
+def add_to_cells(data, name, values):
+    array = numpy_to_vtk(np.ascontiguousarray(values, float), deep=1)
+    array.SetName(name)
+    data.GetCellData().AddArray(array)
 
 
 def light_of(data, sun=(0, 0, 1), clouds=None, **options):
@@ -120,6 +126,54 @@ class Beam(unittest.TestCase):
         for sun in self.SUNS:
             a, b = (values(light_of(d, sun, MultipleScattering=False)[0], "SunTransmittance") for d in (data, divider.GetOutput()))
             np.testing.assert_allclose(a, b, rtol=1e-4, atol=1e-6)
+
+    def test_behind_a_hole_the_beam_goes_on(self):
+        """Cells that are hidden, or not in the mesh, leave a hole. Points are left out from which the sun is seen along its faces."""
+        hole = np.array([[1, 1, 2], [3, 2, 4]])
+        hidden = image((5, 4, 6), (1, 1, 1), lambda x, y, z: 0 * x + 0.7)
+        hidden.AllocateCellGhostArray()
+        for cell in range(hidden.GetNumberOfCells()):
+            middle = np.reshape(hidden.GetCell(cell).GetBounds(), (3, 2)).mean(axis=1)
+            if np.all((middle > hole[0]) & (middle < hole[1])):
+                hidden.GetCellGhostArray().SetValue(cell, vtkDataSetAttributes.HIDDENCELL)
+        absent = vtkThreshold()  # cells around the hole
+        add_to_cells(hidden, "inside", vtk_to_numpy(hidden.GetCellGhostArray()) == 0)
+        absent.SetInputData(hidden)
+        absent.SetInputArrayToProcess(0, 0, 0, 1, "inside")
+        absent.SetLowerThreshold(0.5)
+        absent.Update()
+        for data in (hidden, absent.GetOutput()):
+            for sun in self.SUNS[:-1]:
+                with self.subTest(sun, of=data.GetClassName()):
+                    output, _ = light_of(data, sun, MultipleScattering=False, SkyLight=0)
+                    x, s = places(output), np.array(sun) / np.linalg.norm(sun)
+                    with np.errstate(divide="ignore", invalid="ignore"):
+                        ends = np.sort((hole[:, None] - x) / s, axis=0)
+                    ends[:, :, s == 0] = np.where((x[:, s == 0] > hole[0, s == 0]) & (x[:, s == 0] < hole[1, s == 0]), [[[-np.inf]], [[np.inf]]], np.inf)
+                    free = np.maximum(ends[1].min(axis=1) - np.maximum(ends[0].max(axis=1), 0), 0)
+                    along = np.any((s == 0) & ((x == hole[0]) | (x == hole[1])), axis=1)
+                    expected = np.exp(-0.7 * (self.way_out(x, s) - np.where(np.isfinite(free), free, 0)))
+                    np.testing.assert_allclose(values(output, "SunTransmittance")[~along], expected[~along], rtol=2e-4)
+
+    def test_parts_that_do_not_meet(self):
+        """Two boxes apart, and a fine one on a coarse one, in one unstructured grid."""
+        def boxes(*all_of_them):
+            append = vtkAppendFilter()
+            for box in all_of_them:
+                append.AddInputData(box)
+            append.Update()
+            return append.GetOutput()
+        lower = image((5, 4, 3), (1, 1, 1), lambda x, y, z: 0 * x + 0.7)
+        for gap, upper in ((1, image((5, 4, 3), (1, 1, 1), lambda x, y, z: 0 * x + 0.7, (0, 0, 3))),
+                           (0, image((17, 13, 7), (0.25, 0.25, 0.5), lambda x, y, z: 0 * x + 0.7, (0, 0, 2))),
+                           (0, image((6, 5, 4), (0.8, 0.75, 1), lambda x, y, z: 0 * x + 0.7, (0, 0, 2)))):
+            for sun in ((0, 0, 1), (0.1, -0.2, 1), (1, 1, 1), (0.3, -0.5, 0.7)):
+                def depth(x, s, gap=gap):
+                    z = np.minimum(x[:, 2] + self.way_out(x, s) * s[2], 5)
+                    cut = np.maximum(np.minimum(z, 2 + gap) - np.maximum(x[:, 2], 2), 0) / s[2]
+                    return 0.7 * (self.way_out(x, s) - cut)
+                with self.subTest(sun, gap=gap):
+                    self.check(boxes(lower, upper), sun, depth)
 
     def test_single_scattering(self):
         """Sunlight for an eye: albedo P(angle) T / 4, times pi."""
