@@ -26,7 +26,7 @@ void BlocksWithArray::Begin()
   {
     return;
   }
-  this->Blocks = 0;
+  this->Blocks = this->Having = 0;
   this->IsInAny = false;
   this->Told = false;
   vtkDataObject* input = this->Filter->GetNumberOfInputConnections(0) > 0
@@ -39,14 +39,21 @@ void BlocksWithArray::Begin()
   ForEachLeaf(input, [this](vtkDataObject* leaf) {
     auto* block = vtkDataSet::SafeDownCast(leaf);
     ++this->Blocks;
-    this->IsInAny = this->IsInAny || (block && this->Has(block));
+    this->Having += block && this->Has(block) ? 1 : 0;
   });
-  this->IsInAny = isTrueOfAnyPiece(this->Filter, this->IsInAny);
+  this->IsInAny = isTrueOfAnyPiece(this->Filter, this->Having > 0);
 }
 
 void BlocksWithArray::End()
 {
   --this->Depth;
+}
+
+bool BlocksWithArray::IsFirstOfSeveral(vtkDataSet* block)
+{
+  const bool isFirst = this->Having > 1 && this->Has(block);
+  this->Having = isFirst ? 0 : this->Having;
+  return isFirst;
 }
 
 bool BlocksWithArray::IsLackedBy(vtkDataSet* block)

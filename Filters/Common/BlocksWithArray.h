@@ -22,6 +22,9 @@ public:
   // While the filter runs: whether any block has the array, on any rank. False where the input has no blocks.
   bool HasAny() const { return this->IsInAny; }
 
+  // For RequestData: true for the first of several blocks of this rank that have the array.
+  bool IsFirstOfSeveral(vtkDataSet* block);
+
   // For RequestData: true where the filter has nothing to do for a block and nothing to tell, because the block lacks the array and another has it, or
   // because none has it and that has been told for the first one.
   bool IsLackedBy(vtkDataSet* block);
@@ -37,6 +40,7 @@ private:
   std::function<bool(vtkDataSet*)> Has;
   int Depth = 0;  // blocks begin and end within the whole
   int Blocks = 0; // 0: the input is no composite dataset
+  int Having = 0; // blocks with the array of which none has been asked about
   bool IsInAny = false;
   bool Told = false;
 };

@@ -351,6 +351,12 @@ int vtkSunlight::RequestData(
   }
   nephoscope::ReportOnce report(this, this->Failed);
   this->WarnOfPieces(input, outputs->GetInformationObject(0));
+  if (this->Blocks->IsFirstOfSeveral(input))
+  {
+    vtkWarningMacro(
+      << "Each block is lit alone: clouds in one block cast no shadows on those in another. Combine them first, by Merge Blocks "
+         "(in VTK vtkAppendFilter).");
+  }
   const bool isSmoke = this->ExtinctionArrayName == "Extinction" &&
     nephoscope::addSmokeOptics(output, this->AlbedoArrayName, this->AsymmetryArrayName);
   this->UsedExtinction = isSmoke ? nephoscope::smokeExtinctionName : this->ExtinctionArrayName;

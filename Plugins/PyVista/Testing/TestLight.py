@@ -121,6 +121,27 @@ class SunOfMap(unittest.TestCase):
             nephoscope.sunlight(self.grid(110, 170), "2011-10-11 03:00")
 
 
+class Blocks(unittest.TestCase):
+    def test_blocks_shade_one_another(self):
+        """A ball cut in two; and one whose shadow falls on another, across a gap."""
+        mesh = ball(41)
+        halves = pyvista.MultiBlock([mesh.extract_subset((0, 20, 0, 40, 0, 20)), mesh.extract_subset((20, 40, 0, 40, 0, 20))])
+        whole, together = (nephoscope.sunlight(data, (1, 0, 0.3)) for data in (mesh, halves))
+        np.testing.assert_allclose(together["SunTransmittance"], together.sample(whole)["SunTransmittance"], atol=0.03)
+        apart = ball(41)
+        apart.origin = (2500, 0, 0)
+        alone, shaded = (nephoscope.sunlight(data, (1, 0, 0), multiple_scattering=False) for data in (mesh, pyvista.MultiBlock([mesh, apart])))
+        self.assertGreater(alone["SunTransmittance"].max(), 0.999)
+        beside = np.argmin(np.linalg.norm(shaded.points - (1600, 1000, 500), axis=1))
+        self.assertAlmostEqual(-np.log(shaded["SunTransmittance"][beside]), 0.02 * 450 * 16 / 15, delta=0.15)
+
+    def test_optics_of_blocks(self):
+        mesh = slab(clwc=1)
+        halves = pyvista.MultiBlock([mesh.extract_subset((0, 3, 0, 6, 0, 12)), mesh.extract_subset((3, 6, 0, 6, 0, 12))])
+        a, b = (nephoscope.cloud_optics(data)["Extinction"] for data in (mesh, halves))
+        self.assertAlmostEqual(a.max(), b.max(), delta=1e-6 * a.max())
+
+
 class Exposure(unittest.TestCase):
     def test_shading_without_white(self):
         image = picture()

@@ -66,6 +66,14 @@ def require_dataset(data: Any, argument: str, needs: str, merge_points: bool, ar
     return data
 
 
+def one_mesh(mesh: Any) -> pyvista.DataSet:
+    """A mesh for a filter that looks at the whole of it, such as that of sunlight: blocks become one; TypeError if `mesh` is none."""
+    one = wrapped(mesh, True)
+    if not isinstance(one, pyvista.DataSet):
+        raise TypeError(f"mesh is a {type(one).__name__}; it must be a pyvista dataset or MultiBlock.")
+    return one
+
+
 def scalar_array(grid: pyvista.DataSet, scalars: str | np.ndarray | None, preference: str, component: Any) -> tuple[pyvista.DataSet, str, str]:
     """The grid with the scalars, the name of the array, and "point" or "cell". The array may have several components: `component` is that drawn, or None for the magnitude."""
     if preference not in ("point", "cell"):

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     class WeatherDataset(xarray.Dataset):
         nephoscope: WeatherAccessor
 
-    AnyMesh = Union[pyvista.DataSet, xarray.Dataset, xarray.DataArray]
+    AnyMesh = Union[pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset, xarray.DataArray]
 else:
     Mesh = StructuredMesh = WeatherDataset = AnyMesh = Any
 

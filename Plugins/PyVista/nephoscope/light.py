@@ -15,7 +15,7 @@ from . import vtkSunlight, vtkSunSource
 from ._blocks import cell_dimension
 from ._checks import arrays_of, choose, require_number
 from ._fields import preset_of_field
-from ._from_xarray import meshed
+from ._medium import one_mesh
 from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh, Numbers
 from .optics import cloud_optics, optics_of
@@ -50,9 +50,9 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
 
     Parameters
     ----------
-    mesh : pyvista.DataSet, xarray.Dataset or xarray.DataArray
+    mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray
         The mesh with the extinction, as `cloud_optics` makes it; smoke of `flow_volume` or `smoke_puffs`, which needs none; or with `clouds` a surface, such
-        as the ground, that gets their shadows. It is not changed.
+        as the ground, that gets their shadows. It is not changed. A MultiBlock is combined into one grid, so that its blocks cast shadows on one another.
     direction : sequence of 3 float or str, optional
         Direction towards the sun in the coordinates of the mesh, or a date and time, as in `time`. Default: (1, -1, 1).
     time : str, optional
@@ -161,9 +161,7 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
              zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
     _require_sun(direction, time, say)
-    mesh = meshed(mesh)
-    if not isinstance(mesh, vtkDataSet):
-        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
+    mesh = one_mesh(mesh)
     light = vtkSunlight()
     set_input(light, mesh)
     if clouds is not None:

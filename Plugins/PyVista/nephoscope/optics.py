@@ -8,12 +8,11 @@ from typing import Any, Callable, Literal
 
 import numpy as np
 import pyvista
-from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from . import vtkCloudOptics
 from ._checks import arrays_of, choose, require_number
 from ._fields import FLAT_GRID
-from ._from_xarray import meshed
+from ._medium import one_mesh
 from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh
 from .weather.flat_air import FlatAir
@@ -44,8 +43,8 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
 
     Parameters
     ----------
-    mesh : pyvista.DataSet, xarray.Dataset or xarray.DataArray
-        The dataset with the water, on points or cells; it is not changed.
+    mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray
+        The dataset with the water, on points or cells; it is not changed. A MultiBlock is combined into one grid.
     water : str, optional
         Cloud water, the sum of liquid and ice; the temperature determines how much of it is ice.
     liquid, ice, rain, snow : str, optional
@@ -91,10 +90,7 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
 
 def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], **options: Any) -> pyvista.DataSet:
     """`cloud_optics`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
-    mesh = meshed(mesh)
-    if not isinstance(mesh, vtkDataSet):
-        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
-    mesh = pyvista.wrap(mesh)
+    mesh = one_mesh(mesh)
     if FLAT_GRID not in mesh.field_data or options["height"]:
         return _filtered(mesh, say, **options)
     air = FlatAir(mesh)

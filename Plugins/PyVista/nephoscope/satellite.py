@@ -10,12 +10,12 @@ from typing import Any, Sequence
 
 import numpy as np
 import pyvista
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from . import light_image, tone
 from ._checks import as_array, require_array, require_number
-from ._from_xarray import meshed
+from ._medium import one_mesh
 from ._pipeline import level_of_caller
 from ._refined import fitting_factor, refined, step_of
 from ._typing import AnyMesh, Numbers
@@ -112,7 +112,7 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
 
     Parameters
     ----------
-    mesh : pyvista.DataSet, xarray.Dataset or xarray.DataArray
+    mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray
         Clouds with water, with an extinction, or already lit by `sunlight`.
     view : {"automatic", "geostationary", "nadir"} or sequence of 3 float
         ``"geostationary"``: from 42164 km above the centre of a globe, over the equator at `longitude`. ``"nadir"``: every position from straight above; a
@@ -146,9 +146,7 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
     UserWarning
         If the points of a globe are too far apart for light between them, and there is no finer grid: light that the mesh has already, no structured grid, or too many points.
     """
-    mesh = meshed(mesh)
-    if not isinstance(mesh, vtkDataSet):
-        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be a pyvista dataset.")
+    mesh = one_mesh(mesh)
     if len(size) != 2 or min(size) < 1:
         raise ValueError(f"size is {size!r}; it must be width and height in pixels.")
     albedo = as_array(ground_albedo).astype(float)
