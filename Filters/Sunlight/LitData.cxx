@@ -49,8 +49,8 @@ float lengthOf(const Vector& v)
 class GridMaker
 {
 public:
-  GridMaker(const std::vector<Place>& places, LightGrid& grid, GridAxes& axes)
-    : Places(places)
+  GridMaker(std::vector<Place> places, LightGrid& grid, GridAxes& axes)
+    : Places(std::move(places))
     , Grid(grid)
     , Axes(axes)
     , Stride{ 1, grid.Size[0], std::ptrdiff_t(grid.Columns()) }
@@ -136,7 +136,7 @@ private:
     return closed;
   }
 
-  const std::vector<Place>& Places;
+  const std::vector<Place> Places; // in the order of the grid
   LightGrid& Grid;
   GridAxes& Axes;
   const std::ptrdiff_t Stride[3];
@@ -147,6 +147,14 @@ Planet planetOf(vtkDataSet* data)
 {
   const bool isGlobe = fieldValue(data, "GlobeGridProjection", 1) == 0;
   return { isGlobe ? fieldValue(data, "PlanetRadius", 0) : 0.0 };
+}
+
+Place Planet::UpAt(const Place& place) const
+{
+  const double length = std::sqrt(dot(place, place));
+  return this->Radius > 0 && length > 0
+    ? Place{ { place[0] / length, place[1] / length, place[2] / length } }
+    : Place{ { 0, 0, 1 } };
 }
 
 std::vector<float> valuesOf(
@@ -263,15 +271,19 @@ std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>&
   return mesh;
 }
 
-bool makeGrid(vtkDataSet* data, const std::vector<Place>& places, LightGrid& grid, GridAxes& axes)
+bool makeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
+  LightGrid& grid, GridAxes& axes)
 {
   const ChessboardGrid chessboard = findChessboardGrid(data);
   if (chessboard.IsEmpty())
   {
     return false;
   }
-  std::copy(chessboard.Size, chessboard.Size + 3, grid.Size);
-  GridMaker(places, grid, axes).Make();
+  axes.Order =
+    GridOrder({ { int(chessboard.Size[0]), int(chessboard.Size[1]), int(chessboard.Size[2]) } },
+      places, [&planet](const Place& place) { return planet.UpAt(place); });
+  std::copy(axes.Order.GetSizes().begin(), axes.Order.GetSizes().end(), grid.Size);
+  GridMaker(axes.Order.Of(places), grid, axes).Make();
   return true;
 }
 

@@ -4,6 +4,7 @@
 #ifndef nephoscope_LitData_h
 #define nephoscope_LitData_h
 
+#include "GridOrder.h"
 #include "LightGrid.h"
 #include "SunFrame.h"
 
@@ -27,6 +28,9 @@ struct OpticalFields
 struct Planet
 {
   double Radius = 0;
+
+  /** The unit vector upwards at a place: on a globe away from the centre, elsewhere z. */
+  Place UpAt(const Place& place) const;
 };
 Planet planetOf(vtkDataSet* data);
 
@@ -39,14 +43,16 @@ std::vector<Place> placesOf(vtkDataSet* data);
 std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
   const std::vector<Fields>& fields, const Place& sun);
 
-/** The axes of each point: unit vectors along the indices. */
+/** The points in the order of a LightGrid, and the axes of each: unit vectors along the indices. */
 struct GridAxes
 {
+  GridOrder Order;
   std::vector<std::array<Vector, 3>> Axes;
 };
 
-/** True for structured data; then the grid has sizes, steps and seam, and axes has the axes. */
-bool makeGrid(vtkDataSet* data, const std::vector<Place>& places, LightGrid& grid, GridAxes& axes);
+/** True for structured data; then the grid has sizes, steps and seam. */
+bool makeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
+  LightGrid& grid, GridAxes& axes);
 
 /** Coordinates whose third counts upwards: x, y and z, or on a globe longitude and latitude in radians and the distance from the centre. */
 class SampleFrame

@@ -248,7 +248,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
       light->SetValue(p, static_cast<float>(source));
       extinction->SetValue(p, work.Scaled[p]);
       transmittance->SetValue(p, static_cast<float>(shadow * work.Transmittance[p]));
-      const std::array<double, 3> up = nephoscope::upAt(work.Planet, work.Places[p]);
+      const std::array<double, 3> up = work.Planet.UpAt(work.Places[p]);
       irradiance->SetValue(
         p, static_cast<float>(std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p]));
       upward->SetValue(p, work.Up[p]);

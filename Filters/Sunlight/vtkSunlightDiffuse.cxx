@@ -30,15 +30,15 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
 {
   nephoscope::LightGrid grid;
   nephoscope::GridAxes axes;
-  if (!nephoscope::makeGrid(data, work.Places, grid, axes))
+  if (!nephoscope::makeGrid(data, work.Planet, work.Places, grid, axes))
   {
     return this->Sample(data, work);
   }
-  grid.Extinction = work.Scaled;
-  grid.Albedo = work.Albedo;
-  grid.Asymmetry = work.Asymmetry;
-  grid.Depth = work.ScaledDepth;
-  grid.Shadow = work.Shadow;
+  grid.Extinction = axes.Order.Of(work.Scaled);
+  grid.Albedo = axes.Order.Of(work.Albedo);
+  grid.Asymmetry = axes.Order.Of(work.Asymmetry);
+  grid.Depth = axes.Order.Of(work.ScaledDepth);
+  grid.Shadow = axes.Order.Of(work.Shadow);
   grid.GroundAlbedo = this->GroundAlbedo;
   grid.Sun.resize(grid.Points());
   for (std::size_t p = 0; p < grid.Points(); ++p)
@@ -53,7 +53,8 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   grid.Sky.resize(grid.Columns());
   for (std::size_t c = 0; c < grid.Columns(); ++c)
   {
-    const double elevation = dot(nephoscope::upAt(work.Planet, work.Places[c]), work.Sun);
+    const nephoscope::Place& place = work.Places[axes.Order.NumberOf(c)];
+    const double elevation = dot(work.Planet.UpAt(place), work.Sun);
     grid.Sky[c] =
       static_cast<float>(this->SkyLight * std::max(0.0, std::min(1.0, (elevation + 0.1) / 1.1)));
   }
@@ -66,16 +67,17 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
     grid, settings, parallel, [this](double fraction) { return this->GoOn(0.5 + 0.5 * fraction); });
   this->NumberOfIterations = light.Iterations;
   this->LastChange = light.Change;
-  work.Absorbed = light.Absorption;
   for (std::size_t p = 0; p < grid.Points(); ++p)
   {
-    work.Fluence[p] = std::max(light.Field.Fluence[p], 0.0f);
-    work.Up[p] = std::max(light.Field.Up(p), 0.0f);
-    work.Down[p] = std::max(light.Field.Down(p), 0.0f);
+    const std::size_t q = axes.Order.NumberOf(p);
+    work.Absorbed[q] = light.Absorption[p];
+    work.Fluence[q] = std::max(light.Field.Fluence[p], 0.0f);
+    work.Up[q] = std::max(light.Field.Up(p), 0.0f);
+    work.Down[q] = std::max(light.Field.Down(p), 0.0f);
     const Vector& flux = light.Field.Flux[p];
     for (int c = 0; c < 3; ++c)
     {
-      work.Flux[p][c] =
+      work.Flux[q][c] =
         flux[0] * axes.Axes[p][0][c] + flux[1] * axes.Axes[p][1][c] + flux[2] * axes.Axes[p][2][c];
     }
   }

@@ -45,15 +45,6 @@ struct vtkSunlight::Work
 namespace nephoscope
 {
 
-// Up on a globe: away from the centre; elsewhere z.
-inline std::array<double, 3> upAt(const Planet& planet, const std::array<double, 3>& place)
-{
-  const double length = std::sqrt(dot(place, place));
-  return planet.Radius > 0 && length > 0
-    ? std::array<double, 3>{ { place[0] / length, place[1] / length, place[2] / length } }
-    : std::array<double, 3>{ { 0, 0, 1 } };
-}
-
 // Residues of a model's arithmetic are no cloud: divided by such an extinction, rounding errors of the light would count as light.
 inline void cutResidues(std::vector<float>& extinction)
 {
