@@ -143,10 +143,10 @@ private:
 };
 }
 
-Planet planetOf(vtkDataSet* data)
+Planet planetOf(vtkDataSet* data, const Place& up)
 {
   const bool isGlobe = fieldValue(data, "GlobeGridProjection", 1) == 0;
-  return { isGlobe ? fieldValue(data, "PlanetRadius", 0) : 0.0 };
+  return { isGlobe ? fieldValue(data, "PlanetRadius", 0) : 0.0, up };
 }
 
 Place Planet::UpAt(const Place& place) const
@@ -154,7 +154,25 @@ Place Planet::UpAt(const Place& place) const
   const double length = std::sqrt(dot(place, place));
   return this->Radius > 0 && length > 0
     ? Place{ { place[0] / length, place[1] / length, place[2] / length } }
-    : Place{ { 0, 0, 1 } };
+    : this->Up;
+}
+
+std::array<Place, 3> Planet::Horizon() const
+{
+  const double c = this->Up[2], v[2] = { -this->Up[1], this->Up[0] }; // z x up
+  if (c <= -1)
+  {
+    return { { { { 1, 0, 0 } }, { { 0, -1, 0 } }, this->Up } };
+  }
+  const double f = 1 / (1 + c);
+  return { { { { c + f * v[0] * v[0], f * v[0] * v[1], -v[1] } },
+    { { f * v[0] * v[1], c + f * v[1] * v[1], v[0] } }, this->Up } };
+}
+
+Place Planet::FromHorizon(const Place& c) const
+{
+  const std::array<Place, 3> horizon = this->Horizon();
+  return c[0] * horizon[0] + c[1] * horizon[1] + c[2] * horizon[2];
 }
 
 std::vector<float> valuesOf(
@@ -288,7 +306,8 @@ bool makeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& 
 }
 
 SampleFrame::SampleFrame(const Planet& planet, const std::vector<Place>& places)
-  : OnGlobe(planet.Radius > 0)
+  : Ground(planet)
+  , Horizon(planet.Horizon())
 {
   std::array<double, 2> sum{ { 0, 0 } };
   for (const Place& p : places)
@@ -302,9 +321,10 @@ SampleFrame::SampleFrame(const Planet& planet, const std::vector<Place>& places)
 
 Place SampleFrame::FromPlace(const Place& place) const
 {
-  if (!this->OnGlobe)
+  if (!this->IsOnGlobe())
   {
-    return place;
+    return { { dot(this->Horizon[0], place), dot(this->Horizon[1], place),
+      dot(this->Horizon[2], place) } };
   }
   const double r = std::sqrt(dot(place, place)), pi = vtkMath::Pi();
   const double longitude = std::atan2(place[1], place[0]) - this->Middle;
@@ -314,9 +334,9 @@ Place SampleFrame::FromPlace(const Place& place) const
 
 Place SampleFrame::ToPlace(const Place& c) const
 {
-  if (!this->OnGlobe)
+  if (!this->IsOnGlobe())
   {
-    return c;
+    return this->Ground.FromHorizon(c);
   }
   const double longitude = c[0] + this->Middle, across = c[2] * std::cos(c[1]);
   return { { across * std::cos(longitude), across * std::sin(longitude), c[2] * std::sin(c[1]) } };
@@ -331,21 +351,21 @@ vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
     box.AddPoint(this->FromPlace(p).data());
   }
   const double nearlyAll = 0.97 * vtkMath::Pi(),
-               shortest = this->OnGlobe ? 1e-6 : 1e-6 * box.GetDiagonalLength();
+               shortest = this->IsOnGlobe() ? 1e-6 : 1e-6 * box.GetDiagonalLength();
   double least[3], size[3];
   for (int axis = 0; axis < 3; ++axis)
   {
     least[axis] = box.GetMinPoint()[axis];
-    size[axis] = std::max(
-      box.GetLength(axis), this->OnGlobe && axis == 2 ? shortest * box.GetMaxPoint()[2] : shortest);
+    size[axis] = std::max(box.GetLength(axis),
+      this->IsOnGlobe() && axis == 2 ? shortest * box.GetMaxPoint()[2] : shortest);
   }
-  if (this->OnGlobe && least[0] < -nearlyAll && box.GetMaxPoint()[0] > nearlyAll)
+  if (this->IsOnGlobe() && least[0] < -nearlyAll && box.GetMaxPoint()[0] > nearlyAll)
   {
     least[0] = -vtkMath::Pi();
     size[0] = 2 * vtkMath::Pi();
   }
   // As many levels as a cube would have, or more; around a globe half as many. The rest beside one another.
-  const double levels = std::max(std::cbrt(points) * (this->OnGlobe ? 0.5 : 1.0), 2.0);
+  const double levels = std::max(std::cbrt(points) * (this->IsOnGlobe() ? 0.5 : 1.0), 2.0);
   const double step = std::sqrt(size[0] * size[1] * levels / points);
   int dimensions[3];
   double spacing[3];
@@ -353,7 +373,10 @@ vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
   {
     const double wanted = axis == 2 ? levels : std::min(size[axis] / step, points / levels / 2);
     dimensions[axis] = std::max(3, static_cast<int>(wanted) + 1);
-    spacing[axis] = size[axis] / (dimensions[axis] - 1);
+    const double inset =
+      this->IsOnGlobe() ? 0 : 1e-7 * size[axis]; // rounding puts no point outside of the data
+    least[axis] += inset;
+    spacing[axis] = (size[axis] - 2 * inset) / (dimensions[axis] - 1);
   }
   vtkNew<vtkImageData> image;
   image->SetDimensions(dimensions);
@@ -379,7 +402,8 @@ vtkSmartPointer<vtkDataSet> SampleFrame::Sampled(vtkDataSet* data, vtkImageData*
   grid->SetDimensions(dimensions);
   grid->SetPoints(points);
   vtkNew<vtkProbeFilter> probe;
-  probe->SetInputData(this->OnGlobe ? static_cast<vtkDataSet*>(grid) : image);
+  const bool isUpright = !this->IsOnGlobe() && this->Horizon[2][2] == 1;
+  probe->SetInputData(isUpright ? static_cast<vtkDataSet*>(image) : grid);
   probe->SetSourceData(data);
   probe->Update();
   return vtkDataSet::SafeDownCast(probe->GetOutputDataObject(0));

@@ -24,15 +24,20 @@ struct OpticalFields
   std::vector<float> Extinction, Albedo, Asymmetry;
 };
 
-/** The planet of the data; radius 0: flat ground. */
+/** The planet of the data. */
 struct Planet
 {
-  double Radius = 0;
+  double Radius = 0;       ///< 0: flat ground
+  Place Up{ { 0, 0, 1 } }; ///< from flat ground, of length 1
 
-  /** The unit vector upwards at a place: on a globe away from the centre, elsewhere z. */
+  /** The unit vector upwards at a place: on a globe away from the centre. */
   Place UpAt(const Place& place) const;
+
+  /** East, north and up of flat ground: x, y and z, turned the shortest way until z points up. */
+  std::array<Place, 3> Horizon() const;
+  Place FromHorizon(const Place& coordinates) const;
 };
-Planet planetOf(vtkDataSet* data);
+Planet planetOf(vtkDataSet* data, const Place& up);
 
 /** Values of the array on points; `otherwise` where there is none. NaN and negative values become 0 and are counted. */
 std::vector<float> valuesOf(
@@ -54,7 +59,7 @@ struct GridAxes
 bool makeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
   LightGrid& grid, GridAxes& axes);
 
-/** Coordinates whose third counts upwards: x, y and z, or on a globe longitude and latitude in radians and the distance from the centre. */
+/** Coordinates whose third counts upwards: along the horizon of flat ground, or on a globe longitude and latitude in radians and the distance from the centre. */
 class SampleFrame
 {
 public:
@@ -70,7 +75,10 @@ public:
   vtkSmartPointer<vtkDataSet> Sampled(vtkDataSet* data, vtkImageData* image) const;
 
 private:
-  bool OnGlobe;
+  bool IsOnGlobe() const { return this->Ground.Radius > 0; }
+
+  Planet Ground;
+  std::array<Place, 3> Horizon;
   double Middle = 0; // longitude
 };
 }

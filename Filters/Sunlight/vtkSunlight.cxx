@@ -47,7 +47,7 @@ bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& p
 {
   if (planet.Radius <= 0)
   {
-    return sun[2] < 0; // of flat ground
+    return dot(planet.Up, sun) < 0; // of flat ground
   }
   const double along = dot(place, sun);
   return along < 0 && dot(place, place) - along * along < planet.Radius * planet.Radius;
@@ -103,6 +103,18 @@ bool vtkSunlight::Check(vtkDataSet* data)
   return true;
 }
 
+bool vtkSunlight::CheckUp()
+{
+  const double length = vtkMath::Norm(this->Up);
+  if (!(length > 0) || !std::isfinite(length))
+  {
+    vtkErrorMacro(<< "Up is " << this->Up[0] << ", " << this->Up[1] << ", " << this->Up[2]
+                  << "; it must be finite and longer than 0.");
+    return false;
+  }
+  return true;
+}
+
 // Smoke needs none.
 bool vtkSunlight::HasExtinction(vtkDataSet* data) const
 {
@@ -128,7 +140,7 @@ void vtkSunlight::TakeForClearAir(vtkDataSet* data)
 bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
 {
   vtkIdType ignored = 0;
-  work.Planet = nephoscope::planetOf(data);
+  work.Planet = this->PlanetOf(data);
   work.Places = nephoscope::placesOf(data);
   work.Extinction =
     nephoscope::valuesOf(data, this->UsedExtinction, 0, this->ExtinctionScale, work.Wrong);
@@ -281,17 +293,18 @@ std::vector<double> vtkSunlight::State(vtkDataSet* input) const
     return data ? double(data->GetMTime()) : 0.0;
   };
   return { double(input->GetMTime()), timeOf(1), timeOf(2), this->SunDirection[0],
-    this->SunDirection[1], this->SunDirection[2], this->Longitude, this->Latitude,
-    this->ExtinctionScale, this->Albedo, this->Asymmetry, this->GroundAlbedo, this->SkyLight,
-    double(this->MultipleScattering), double(this->ZenithAngles), double(this->AzimuthAngles),
-    number(this->DateTime), number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
+    this->SunDirection[1], this->SunDirection[2], this->Up[0], this->Up[1], this->Up[2],
+    this->Longitude, this->Latitude, this->ExtinctionScale, this->Albedo, this->Asymmetry,
+    this->GroundAlbedo, this->SkyLight, double(this->MultipleScattering),
+    double(this->ZenithAngles), double(this->AzimuthAngles), number(this->DateTime),
+    number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
     number(this->AsymmetryArrayName) };
 }
 
 bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
 {
-  if (!this->Check(data) || !this->FindSun(data, work.Sun) || !this->ReadOptics(data, work) ||
-    !this->GoOn(0.1) || !this->TraceSun(data, work))
+  if (!this->Check(data) || !this->CheckUp() || !this->FindSun(data, work.Sun) ||
+    !this->ReadOptics(data, work) || !this->GoOn(0.1) || !this->TraceSun(data, work))
   {
     return false;
   }
@@ -313,11 +326,12 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
     this->LastState = std::move(state);
   }
   const Work& work = *this->Last;
-  if (work.Planet.Radius <= 0 && work.Sun[2] < 0)
+  if (work.Planet.Radius <= 0 && dot(work.Planet.Up, work.Sun) < 0)
   {
     vtkWarningMacro(
-      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky. On data that are not a globe, "
-         "z is up: rotate data that have another vertical axis.");
+      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky. Up is ("
+      << work.Planet.Up[0] << ", " << work.Planet.Up[1] << ", " << work.Planet.Up[2]
+      << "): set Up if the data have another vertical axis.");
   }
   this->Write(data, work);
   return true;
@@ -391,6 +405,7 @@ void vtkSunlight::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SunDirection: " << this->SunDirection[0] << ", " << this->SunDirection[1] << ", "
      << this->SunDirection[2] << "\n";
+  os << indent << "Up: " << this->Up[0] << ", " << this->Up[1] << ", " << this->Up[2] << "\n";
   os << indent << "DateTime: " << this->DateTime << "\n"
      << indent << "ExtinctionArrayName: " << this->ExtinctionArrayName << "\n";
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n"

@@ -52,6 +52,7 @@
 namespace nephoscope
 {
 class BlocksWithArray;
+struct Planet;
 }
 
 class VTKNEPHOSCOPEFILTERSSUNLIGHT_EXPORT vtkSunlight : public vtkDataSetAlgorithm
@@ -76,10 +77,19 @@ public:
   ///@{
   /**
    * Date and time in UTC, such as "2011-10-11 18:30"; empty (default): SunDirection. On the globe of vtkGlobeGrid it gives the position of the sun; for other
-   * data the sun is as seen from Longitude and Latitude, with x to the east and y to the north.
+   * data the sun is as seen from Longitude and Latitude, with x to the east and y to the north (see Up).
    */
   vtkSetMacro(DateTime, std::string);
   vtkGetMacro(DateTime, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * The direction upwards from flat ground, in the coordinates of the data, with any length > 0; on a globe up is away from its centre. With DateTime, x points
+   * east and y north, turned with z the shortest way to Up: where y is up, -z points north. Default (0, 0, 1).
+   */
+  vtkSetVector3Macro(Up, double);
+  vtkGetVector3Macro(Up, double);
   ///@}
 
   ///@{
@@ -209,6 +219,8 @@ private:
   struct Work;
   bool FindSun(vtkDataSet* data, std::array<double, 3>& sun);
   bool Check(vtkDataSet* data);
+  bool CheckUp();
+  nephoscope::Planet PlanetOf(vtkDataSet* data) const;
   bool HasExtinction(vtkDataSet* data) const;
   void TakeForClearAir(vtkDataSet* data);
   bool Compute(vtkDataSet* data, Work& work);
@@ -230,6 +242,7 @@ private:
   std::string UsedExtinction; // of smoke its own
   std::string DateTime;
   double SunDirection[3] = { 1, -1, 1 };
+  double Up[3] = { 0, 0, 1 };
   double Longitude = 0;
   double Latitude = 0;
   double ExtinctionScale = 1;

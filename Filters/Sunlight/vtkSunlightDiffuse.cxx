@@ -116,11 +116,17 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
   }
   vtkNew<vtkIdList> ids;
   double weights[8], parametric[3];
+  double bounds[6];
+  image->GetBounds(bounds);
   for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
   {
     int sub = 0;
-    const vtkIdType cell = image->FindCell(
-      frame.FromPlace(work.Places[p]).data(), nullptr, -1, 1e-3, sub, parametric, weights);
+    nephoscope::Place at = frame.FromPlace(work.Places[p]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      at[axis] = std::min(std::max(at[axis], bounds[2 * axis]), bounds[2 * axis + 1]);
+    }
+    const vtkIdType cell = image->FindCell(at.data(), nullptr, -1, 1e-3, sub, parametric, weights);
     if (cell < 0)
     {
       continue;

@@ -17,9 +17,17 @@
 
 using nephoscope::dot;
 
+nephoscope::Planet vtkSunlight::PlanetOf(vtkDataSet* data) const
+{
+  const double length = std::hypot(std::hypot(this->Up[0], this->Up[1]), this->Up[2]);
+  return nephoscope::planetOf(
+    data, { { this->Up[0] / length, this->Up[1] / length, this->Up[2] / length } });
+}
+
 bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
 {
-  const bool onGlobe = nephoscope::planetOf(data).Radius > 0;
+  const nephoscope::Planet planet = this->PlanetOf(data);
+  const bool onGlobe = planet.Radius > 0;
   if (vtkDataObject* source = this->GetInputDataObject(2, 0))
   {
     nephoscope::SharedSun shared;
@@ -48,8 +56,9 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
       return false;
     }
     const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days);
-    sun = onGlobe ? nephoscope::towardsSunOnGlobe(place)
-                  : nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
+    sun = onGlobe
+      ? nephoscope::towardsSunOnGlobe(place)
+      : planet.FromHorizon(nephoscope::towardsSunAt(place, this->Longitude, this->Latitude));
   }
   const double length = std::sqrt(dot(sun, sun));
   if (!(length > 0) || !std::isfinite(length))

@@ -4,6 +4,7 @@
 """Sunlight: beams in closed form, the I3RC step cloud, energy, plane-parallel slabs, day and night, the sun's place, what is wrong."""
 import collections
 import hashlib
+import itertools
 import unittest
 
 import numpy as np
@@ -13,8 +14,9 @@ from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkStructuredGrid
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkThreshold
-from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter, vtkTransformFilter
 
 # I3RC phase 1 case 1, sun overhead: consensus of the codes that took part (public results of the Intercomparison of 3D Radiation Codes, Cahalan et al.
 # 2005). Columns of 15.625 m, periodic; 0.25 km thick; optical depth 2 in the first half, 18 in the second; Henyey-Greenstein, g = 0.85; no absorption.
@@ -361,6 +363,92 @@ class Globe(unittest.TestCase):
             sun = vtk_to_numpy(output.GetFieldData().GetArray("SunDirection"))[0]
             self.assertAlmostEqual(np.degrees(np.arcsin(sun[2])), lat, delta=0.1)
             self.assertAlmostEqual(np.remainder(np.degrees(np.arctan2(sun[1], sun[0])) - lon + 180, 360) - 180, 0, delta=0.5)
+
+
+class Orientation(unittest.TestCase):
+    """Light depends neither on the order of a grid's points nor on which axis is up."""
+
+    SIZE = (11, 9, 7)  # along x, y and z; an even number of cells has the same diagonals from both ends
+
+    @classmethod
+    def setUpClass(cls):
+        cls.cloud = image(cls.SIZE, (100, 100, 100), lambda x, y, z: 0.01 * np.maximum(1 - ((x - 500) / 450) ** 2 - ((y - 400) / 350) ** 2 - ((z - 400) / 250) ** 2, 0)
+                          + 0.003 * (z < 250))
+        cls.light = values(light_of(cls.cloud, (1, -1, 1))[0], "Sunlight").reshape(cls.SIZE[::-1])
+
+    def stored(self, order, backwards):
+        """The grid with its axes (z, y, x: 0, 1, 2) in another order, the slowest one backwards or not; and a function that puts values back."""
+        def there(a):
+            a = np.moveaxis(a.reshape(self.SIZE[::-1] + a.shape[1:]), order, (0, 1, 2))
+            return a[::-1] if backwards else a
+        grid = vtkStructuredGrid()
+        at = there(places(self.cloud))
+        grid.SetDimensions(at.shape[2::-1])
+        grid.SetPoints(vtkPoints())
+        grid.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(at).reshape(-1, 3), deep=1))
+        add(grid, "Extinction", there(values(self.cloud, "Extinction")).ravel())
+        return grid, lambda a: np.moveaxis((a.reshape(at.shape[:3])[::-1] if backwards else a.reshape(at.shape[:3])), (0, 1, 2), order)
+
+    def test_order_of_indices(self):
+        for order in itertools.permutations(range(3)):
+            for backwards in (False, True):
+                with self.subTest(order, backwards=backwards):
+                    grid, back = self.stored(order, backwards)
+                    np.testing.assert_allclose(back(values(light_of(grid, (1, -1, 1))[0], "Sunlight")), self.light, atol=2e-3)
+
+    def test_closed_axis(self):
+        """A globe whose second or third index goes around."""
+        data = globe(3.0)
+        n = data.GetDimensions()
+        expected = values(light_of(data, (1, 0.4, 0.3))[0], "Sunlight").reshape(n[::-1])
+        for order in ((0, 2, 1), (2, 1, 0), (1, 2, 0)):
+            def there(a, order=order):
+                return np.ascontiguousarray(a.reshape(n[::-1] + a.shape[1:]).transpose(*order, *range(3, 2 + a.ndim)))
+            grid = vtkStructuredGrid()
+            grid.SetDimensions([n[::-1][axis] for axis in order][::-1])
+            grid.SetPoints(vtkPoints())
+            grid.GetPoints().SetData(numpy_to_vtk(there(places(data)).reshape(-1, 3), deep=1))
+            grid.SetFieldData(data.GetFieldData())
+            add(grid, "Extinction", there(values(data, "Extinction")).ravel())
+            with self.subTest(order):
+                np.testing.assert_allclose(values(light_of(grid, (1, 0.4, 0.3))[0], "Sunlight"), there(expected.ravel()).ravel(), atol=0.02)
+
+    def test_up(self):
+        """The same cloud lying on its side; a date gives the sun of a horizon turned with it."""
+        for turn, up in (((0, 2, 1), (0, 2, 0)), ((2, 1, 0), (0.5, 0, 0))):  # y up, with north along -z; x up, with east along -z
+            signs = np.where(np.array(turn) == np.arange(3), 1, np.where(np.array(turn) == 2, 1, -1))
+            grid = vtkStructuredGrid()
+            grid.SetDimensions(self.SIZE)
+            grid.SetPoints(vtkPoints())
+            grid.GetPoints().SetData(numpy_to_vtk(np.ascontiguousarray(places(self.cloud)[:, turn] * signs), deep=1))
+            add(grid, "Extinction", values(self.cloud, "Extinction"))
+            for options in ({"DateTime": "2020-06-21 10:00", "Longitude": 10, "Latitude": 45}, {"sun": (1, -1, 1)}):
+                turned = dict(options, Up=up)
+                if "sun" in options:
+                    turned["sun"] = np.array(options["sun"])[list(turn)] * signs
+                with self.subTest(up, **options):
+                    for name in ("Sunlight", "Irradiance"):
+                        expected, found = (values(light_of(data, **its)[0], name) for data, its in ((self.cloud, options), (grid, turned)))
+                        np.testing.assert_allclose(found, expected, atol=1e-4)
+
+    def test_up_of_unstructured_data(self):
+        turned = vtkTransformFilter()
+        turned.SetTransform(vtkTransform())
+        turned.GetTransform().RotateX(-90)  # z becomes y
+        divider = vtkDataSetTriangleFilter()
+        divider.SetInputData(self.cloud)
+        divider.Update()
+        turned.SetInputData(divider.GetOutput())
+        turned.Update()
+        expected = values(light_of(divider.GetOutput(), (1, -1, 1))[0], "Sunlight")
+        np.testing.assert_allclose(values(light_of(turned.GetOutput(), (1, 1, 1), Up=(0, 1, 0))[0], "Sunlight"), expected, atol=2e-3)
+
+    def test_no_direction(self):
+        output, messages = light_of(self.cloud, Up=(0, 0, 0))
+        self.assertEqual(len(messages), 1)
+        self.assertIn("Up is 0, 0, 0", messages[0])
+        self.assertEqual(output.GetNumberOfPoints(), 0)
+        self.assertIn("Up is (0, -1, 0)", light_of(self.cloud, (0, 1, 0), Up=(0, -3, 0))[1][0])
 
 
 class Unstructured(unittest.TestCase):

@@ -142,6 +142,31 @@ class Blocks(unittest.TestCase):
         self.assertAlmostEqual(a.max(), b.max(), delta=1e-6 * a.max())
 
 
+class Up(unittest.TestCase):
+    def test_default_sun_turns_with_the_axis(self):
+        upright = ball(21)
+        turned = upright.cast_to_structured_grid().rotate_x(-90)  # z becomes y
+        expected = nephoscope.sunlight(upright)
+        for up in ("y", "+y", (0, 3, 0)):
+            found = nephoscope.sunlight(turned, up=up)
+            np.testing.assert_allclose(found.field_data["SunDirection"][0] * np.sqrt(3), (1, 1, 1), atol=1e-12)
+            np.testing.assert_allclose(found["Sunlight"], expected["Sunlight"], atol=1e-4)
+        below = nephoscope.sunlight(upright, up="-z", multiple_scattering=False)
+        np.testing.assert_allclose(below.field_data["SunDirection"][0] * np.sqrt(3), (1, 1, -1), atol=1e-12)
+
+    def test_up_of_add_cells(self):
+        plotter = pyvista.Plotter()
+        nephoscope.add_cells(plotter, ball(11), sun={"up": "x", "direction": (1, 0.2, 0)})
+        with self.assertWarnsRegex(RuntimeWarning, r"Up is \(1, 0, 0\): set sun\['up'\]"):
+            nephoscope.add_cells(plotter, ball(11), sun={"up": "x", "direction": (-1, 0.2, 0)})
+        plotter.close()
+
+    def test_no_axis(self):
+        for up, sentence in (("north", "'north'; it must be an axis, such as 'y'"), ((0, 0, 0), "longer than 0"), ((1, 2), "three numbers")):
+            with self.assertRaisesRegex(ValueError, f"up.*{sentence}"):
+                nephoscope.sunlight(ball(5), up=up)
+
+
 class Exposure(unittest.TestCase):
     def test_shading_without_white(self):
         image = picture()

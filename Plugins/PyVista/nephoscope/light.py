@@ -28,7 +28,7 @@ SMOKE = {"albedo": 0.9, "asymmetry": 0.6}  # as Filters/Sunlight/SmokeOptics.cxx
 def _names(say: Callable[[str], str]) -> dict[str, str]:
     """Terms in messages of vtkSunlight, and their names in Python."""
     return {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": f"name one by {say('extinction')}", "ExtinctionArrayName": say("extinction"),
-            "SunDirection": say("direction"), "DateTime": say("time")}
+            "SunDirection": say("direction"), "DateTime": say("time"), "set Up": f"set {say('up')}"}
 
 
 _NAMES = _names(str)
@@ -39,7 +39,7 @@ PROJECTIONS = ("globe", "map")  # numbered as in the field data GlobeGridProject
 FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 
-def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str = "", place: Numbers | None = None,
+def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str = "", place: Numbers | None = None, up: Numbers | str = "z",
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
              zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
@@ -60,6 +60,9 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
     place : sequence of 2 float, optional
         Longitude and latitude (degrees) of the place for which the sun is computed at `time`, if the mesh is not a globe from `to_globe`; x points east
         and y north there. Default: the middle of a map from `to_globe`, with a warning if it is wider than 30 degrees; otherwise (0, 0), with a warning.
+    up : str or sequence of 3 float, default: "z"
+        The direction upwards from flat ground: an axis of the mesh, such as ``"y"`` or ``"-z"``, or a vector. On a globe up is away from its centre. The default `direction`, and
+        x and y of `place`, are turned with the axis: where y is up, -z points north.
     extinction : str, default: "Extinction"
         Array of the extinction coefficient, 1/length of the mesh.
     albedo, asymmetry : str or float
@@ -156,7 +159,7 @@ def _warn_of_wide_map(mesh: pyvista.DataSet, say: Callable[[str], str]) -> None:
                       "is where it belongs.", RuntimeWarning, stacklevel=4)
 
 
-def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, extinction: str,
+def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, up: Numbers | str, extinction: str,
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
              zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
@@ -168,8 +171,9 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
         _require_light(clouds, say("clouds"))
         set_input(light, clouds, 1)
         direction = clouds.field_data["SunDirection"][0] if direction is None and not time and "SunDirection" in clouds.field_data else direction
-    if direction is not None:
-        light.SetSunDirection(*direction)
+    upwards = _upwards(up, say)
+    light.SetUp(*upwards)
+    light.SetSunDirection(*(_turned(light.GetSunDirection(), upwards) if direction is None else direction))
     light.SetDateTime(str(time))
     if time and place is None and "GlobeGridProjection" not in mesh.field_data:
         warnings.warn(f"{say('time')} is a date and time without a place: the sun is that of longitude 0 and latitude 0. Give {say('place')}, the longitude and latitude; "
@@ -198,6 +202,27 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     with vtk_messages(light, _names(say), by_class=say is str):
         light.Update()
     return pyvista.wrap(light.GetOutput())
+
+
+def _upwards(up: Numbers | str, say: Callable[[str], str]) -> np.ndarray:
+    """The unit vector of an axis such as "-y", or of a vector."""
+    axes = {sign + name: factor * np.eye(3)[axis] for sign, factor in (("", 1), ("+", 1), ("-", -1)) for axis, name in enumerate("xyz")}
+    if isinstance(up, str):
+        if up not in axes:
+            raise ValueError(f"{say('up')} is {up!r}; it must be an axis, such as 'y' or '-z', or a vector.")
+        return axes[up]
+    vector = np.array(_three(up, say("up")))
+    if not vector.any():
+        raise ValueError(f"{say('up')} is {up!r}; it must be longer than 0.")
+    return vector / np.linalg.norm(vector)
+
+
+def _turned(vector: Numbers, up: np.ndarray) -> np.ndarray:
+    """A vector turned as z is, the shortest way to `up`."""
+    if up[2] <= -1:
+        return np.array(vector) * (1, -1, -1)
+    axis = np.cross((0, 0, 1), up)
+    return up[2] * np.array(vector) + np.cross(axis, vector) + np.dot(axis, vector) / (1 + up[2]) * axis
 
 
 def _require_light(clouds: Any, argument: str) -> None:
