@@ -4,6 +4,7 @@
 
 #include "CloudColumn.h"
 #include "ParticleOptics.h"
+#include "Planet.h"
 #include "StandardAtmosphere.h"
 
 #include "vtkImageData.h"
@@ -13,6 +14,7 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -175,32 +177,51 @@ struct Column
   std::vector<double> Heights, Temperatures;
 };
 
-Column columnAt(const WaterFields& fields, vtkIdType first, vtkIdType stride, int count)
+// The numbers of the points of a column, from the ground up: heights of the air tell which end is below, also where places are in other units.
+std::vector<vtkIdType> pointsOfColumn(
+  const WaterFields& fields, const GridOrder& order, std::size_t number)
+{
+  const std::size_t stride = std::size_t(order.GetSizes()[0]) * order.GetSizes()[1];
+  std::vector<vtkIdType> points;
+  for (int k = 0; k < order.GetSizes()[2]; ++k)
+  {
+    points.push_back(static_cast<vtkIdType>(order.NumberOf(number + k * stride)));
+  }
+  if (fields.Value(WaterFields::Height, points.front()) >
+    fields.Value(WaterFields::Height, points.back()))
+  {
+    std::reverse(points.begin(), points.end());
+  }
+  return points;
+}
+
+Column columnAt(const WaterFields& fields, const std::vector<vtkIdType>& points)
 {
   Column column;
-  for (int k = 0; k < count; ++k)
+  for (const vtkIdType p : points)
   {
-    column.Heights.push_back(fields.Value(WaterFields::Height, first + k * stride));
+    column.Heights.push_back(fields.Value(WaterFields::Height, p));
     if (fields.Has(WaterFields::Temperature))
     {
-      column.Temperatures.push_back(fields.Kelvin(first + k * stride));
+      column.Temperatures.push_back(fields.Kelvin(p));
     }
   }
   return column;
 }
 
-std::vector<double> balancedPressures(const WaterFields& fields, const int dimensions[3])
+std::vector<double> balancedPressures(const WaterFields& fields, const GridOrder& order)
 {
-  const vtkIdType stride = vtkIdType(dimensions[0]) * dimensions[1];
-  std::vector<double> pressures(static_cast<std::size_t>(stride * dimensions[2]));
-  vtkSMPTools::For(0, stride, [&](vtkIdType begin, vtkIdType end) {
+  const vtkIdType columns = vtkIdType(order.GetSizes()[0]) * order.GetSizes()[1];
+  std::vector<double> pressures(static_cast<std::size_t>(columns * order.GetSizes()[2]));
+  vtkSMPTools::For(0, columns, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const Column here = columnAt(fields, i, stride, dimensions[2]);
+      const std::vector<vtkIdType> points = pointsOfColumn(fields, order, std::size_t(i));
+      const Column here = columnAt(fields, points);
       const std::vector<double> column = column::Pressures(here.Heights, here.Temperatures);
-      for (int k = 0; k < dimensions[2]; ++k)
+      for (std::size_t k = 0; k < points.size(); ++k)
       {
-        pressures[i + k * stride] = column[k];
+        pressures[points[k]] = column[k];
       }
     }
   });
@@ -219,26 +240,34 @@ std::vector<double> standardPressures(vtkDataArray* heights)
 }
 }
 
-bool columnsOf(vtkDataSet* data, bool onCells, int dimensions[3])
+GridOrder columnsOf(vtkDataSet* data, bool onCells)
 {
-  dimensions[0] = dimensions[1] = dimensions[2] = 0;
+  int sizes[3] = { 0, 0, 0 };
   if (auto* image = vtkImageData::SafeDownCast(data))
   {
-    image->GetDimensions(dimensions);
+    image->GetDimensions(sizes);
   }
   else if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data))
   {
-    rectilinear->GetDimensions(dimensions);
+    rectilinear->GetDimensions(sizes);
   }
   else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
   {
-    structured->GetDimensions(dimensions);
+    structured->GetDimensions(sizes);
   }
-  for (int axis = 0; axis < 3 && onCells; ++axis)
+  else
   {
-    dimensions[axis] = std::max(dimensions[axis] - 1, 1);
+    return {};
   }
-  return dimensions[2] > 1;
+  const auto placeOf = [data](std::size_t p) {
+    Vector3 place;
+    data->GetPoint(static_cast<vtkIdType>(p), place.data());
+    return place;
+  };
+  const Planet planet = planetOf(data);
+  const GridOrder order({ { sizes[0], sizes[1], sizes[2] } }, placeOf,
+    [&planet](const Vector3& place) { return planet.UpAt(place); });
+  return onCells ? order.OfCells() : order;
 }
 
 std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields)
@@ -251,10 +280,10 @@ std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields)
   {
     return pressuresOfArray(fields.Arrays[WaterFields::Pressure]);
   }
-  int dimensions[3];
-  if (fields.Has(WaterFields::Height) && columnsOf(data, fields.OnCells, dimensions))
+  const GridOrder order = columnsOf(data, fields.OnCells);
+  if (fields.Has(WaterFields::Height) && order.GetSizes()[2] > 1)
   {
-    return balancedPressures(fields, dimensions);
+    return balancedPressures(fields, order);
   }
   return standardPressures(fields.Arrays[WaterFields::Height]);
 }
@@ -280,19 +309,21 @@ OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
   return arrays;
 }
 
-void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction,
+void computeColumns(vtkDataSet* data, const GridOrder& order, vtkFloatArray* extinction,
   vtkFloatArray* above, vtkFloatArray* whole)
 {
-  const vtkIdType stride = vtkIdType(dimensions[0]) * dimensions[1];
-  std::vector<double> values(dimensions[2]), lengths(dimensions[2] - 1);
-  for (vtkIdType i = 0; i < stride; ++i)
+  const int levels = order.GetSizes()[2];
+  const std::size_t columns = std::size_t(order.GetSizes()[0]) * order.GetSizes()[1];
+  std::vector<double> values(levels), lengths(levels - 1);
+  std::vector<vtkIdType> points(levels);
+  for (std::size_t i = 0; i < columns; ++i)
   {
     double last[3], next[3];
-    data->GetPoint(i, last);
-    for (int k = 0; k < dimensions[2]; ++k)
+    for (int k = 0; k < levels; ++k)
     {
-      values[k] = extinction->GetValue(i + k * stride);
-      data->GetPoint(i + k * stride, next);
+      points[k] = static_cast<vtkIdType>(order.NumberOf(i + k * columns));
+      values[k] = extinction->GetValue(points[k]);
+      data->GetPoint(points[k], next);
       if (k > 0)
       {
         lengths[k - 1] = std::sqrt(vtkMath::Distance2BetweenPoints(last, next));
@@ -300,10 +331,10 @@ void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* ex
       std::copy(next, next + 3, last);
     }
     const std::vector<double> depth = column::OpticalDepthToEnd(values, lengths);
-    for (int k = 0; k < dimensions[2]; ++k)
+    for (int k = 0; k < levels; ++k)
     {
-      above->SetValue(i + k * stride, static_cast<float>(depth[k]));
-      whole->SetValue(i + k * stride, static_cast<float>(depth[0]));
+      above->SetValue(points[k], static_cast<float>(depth[k]));
+      whole->SetValue(points[k], static_cast<float>(depth[0]));
     }
   }
 }

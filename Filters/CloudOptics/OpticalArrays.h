@@ -4,6 +4,7 @@
 #ifndef nephoscope_OpticalArrays_h
 #define nephoscope_OpticalArrays_h
 
+#include "GridOrder.h"
 #include "WaterFields.h"
 
 #include "vtkFloatArray.h"
@@ -32,8 +33,8 @@ struct OpticalArrays
   vtkIdType Negative = 0, Missing = 0; // values of water that were taken as 0
 };
 
-/** The third index of structured data counts upwards: numbers of points along the axes; false for other data. */
-bool columnsOf(vtkDataSet* data, bool onCells, int dimensions[3]);
+/** Structured data in columns, along the third index of the order; of other data it has one level at most. */
+GridOrder columnsOf(vtkDataSet* data, bool onCells);
 
 /** Pressures in pascals, of the pressure array in hydrostatic balance, or without columns of the standard atmosphere; empty where none are needed. */
 std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields);
@@ -44,7 +45,7 @@ OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
   const std::function<bool(double)>& progress);
 
 /** Optical depth from each point up to the top of its column, and of the whole column. */
-void computeColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction,
+void computeColumns(vtkDataSet* data, const GridOrder& order, vtkFloatArray* extinction,
   vtkFloatArray* above, vtkFloatArray* whole);
 }
 

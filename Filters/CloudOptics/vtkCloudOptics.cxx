@@ -33,7 +33,7 @@ double exaggerationOf(vtkDataSet* data)
   return value > 0 ? value : 1.0;
 }
 
-void addColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinction)
+void addColumns(vtkDataSet* data, const nephoscope::GridOrder& order, vtkFloatArray* extinction)
 {
   for (const char* name : { "OpticalDepthAbove", "ColumnOpticalDepth" })
   {
@@ -46,7 +46,7 @@ void addColumns(vtkDataSet* data, const int dimensions[3], vtkFloatArray* extinc
     return vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(name));
   };
   nephoscope::computeColumns(
-    data, dimensions, extinction, named("OpticalDepthAbove"), named("ColumnOpticalDepth"));
+    data, order, extinction, named("OpticalDepthAbove"), named("ColumnOpticalDepth"));
 }
 
 void addArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
@@ -59,10 +59,10 @@ void addArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
     attributes->AddArray(array);
   }
   attributes->SetActiveScalars("Extinction");
-  int dimensions[3];
-  if (!onCells && nephoscope::columnsOf(data, false, dimensions))
+  const nephoscope::GridOrder order = nephoscope::columnsOf(data, false);
+  if (!onCells && order.GetSizes()[2] > 1)
   {
-    addColumns(data, dimensions, arrays.Extinction);
+    addColumns(data, order, arrays.Extinction);
   }
 }
 

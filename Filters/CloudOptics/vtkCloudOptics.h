@@ -19,8 +19,8 @@
  *   vertical optical depth stays that of the model.
  * - SingleScatteringAlbedo, AsymmetryParameter: of the mixture.
  * - LiquidEffectiveRadius, IceEffectiveRadius, micrometres.
- * - OpticalDepthAbove, ColumnOpticalDepth: from a point to the top of its column, and from the lowest point of the column. Only on points of structured data whose
- *   third index counts upwards.
+ * - OpticalDepthAbove, ColumnOpticalDepth: from a point to the top of its column, and from the lowest point of the column. Only on points of structured data, whose
+ *   columns are along the index that counts upwards.
  */
 #ifndef vtkCloudOptics_h
 #define vtkCloudOptics_h

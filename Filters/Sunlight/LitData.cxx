@@ -11,7 +11,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -30,12 +29,6 @@ namespace nephoscope
 {
 namespace
 {
-double fieldValue(vtkDataSet* data, const char* name, double otherwise)
-{
-  vtkDataArray* array = data->GetFieldData()->GetArray(name);
-  return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : otherwise;
-}
-
 Vector difference(const Place& a, const Place& b)
 {
   return { float(a[0] - b[0]), float(a[1] - b[1]), float(a[2] - b[2]) };
@@ -141,38 +134,6 @@ private:
   GridAxes& Axes;
   const std::ptrdiff_t Stride[3];
 };
-}
-
-Planet planetOf(vtkDataSet* data, const Place& up)
-{
-  const bool isGlobe = fieldValue(data, "GlobeGridProjection", 1) == 0;
-  return { isGlobe ? fieldValue(data, "PlanetRadius", 0) : 0.0, up };
-}
-
-Place Planet::UpAt(const Place& place) const
-{
-  const double length = std::sqrt(dot(place, place));
-  return this->Radius > 0 && length > 0
-    ? Place{ { place[0] / length, place[1] / length, place[2] / length } }
-    : this->Up;
-}
-
-std::array<Place, 3> Planet::Horizon() const
-{
-  const double c = this->Up[2], v[2] = { -this->Up[1], this->Up[0] }; // z x up
-  if (c <= -1)
-  {
-    return { { { { 1, 0, 0 } }, { { 0, -1, 0 } }, this->Up } };
-  }
-  const double f = 1 / (1 + c);
-  return { { { { c + f * v[0] * v[0], f * v[0] * v[1], -v[1] } },
-    { { f * v[0] * v[1], c + f * v[1] * v[1], v[0] } }, this->Up } };
-}
-
-Place Planet::FromHorizon(const Place& c) const
-{
-  const std::array<Place, 3> horizon = this->Horizon();
-  return c[0] * horizon[0] + c[1] * horizon[1] + c[2] * horizon[2];
 }
 
 std::vector<float> valuesOf(
@@ -297,9 +258,10 @@ bool makeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& 
   {
     return false;
   }
-  axes.Order =
-    GridOrder({ { int(chessboard.Size[0]), int(chessboard.Size[1]), int(chessboard.Size[2]) } },
-      places, [&planet](const Place& place) { return planet.UpAt(place); });
+  axes.Order = GridOrder(
+    { { int(chessboard.Size[0]), int(chessboard.Size[1]), int(chessboard.Size[2]) } },
+    [&places](std::size_t p) { return places[p]; },
+    [&planet](const Place& place) { return planet.UpAt(place); });
   std::copy(axes.Order.GetSizes().begin(), axes.Order.GetSizes().end(), grid.Size);
   GridMaker(axes.Order.Of(places), grid, axes).Make();
   return true;

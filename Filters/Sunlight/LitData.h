@@ -6,6 +6,7 @@
 
 #include "GridOrder.h"
 #include "LightGrid.h"
+#include "Planet.h"
 #include "SunFrame.h"
 
 #include "vtkDataSet.h"
@@ -23,21 +24,6 @@ struct OpticalFields
 {
   std::vector<float> Extinction, Albedo, Asymmetry;
 };
-
-/** The planet of the data. */
-struct Planet
-{
-  double Radius = 0;       ///< 0: flat ground
-  Place Up{ { 0, 0, 1 } }; ///< from flat ground, of length 1
-
-  /** The unit vector upwards at a place: on a globe away from the centre. */
-  Place UpAt(const Place& place) const;
-
-  /** East, north and up of flat ground: x, y and z, turned the shortest way until z points up. */
-  std::array<Place, 3> Horizon() const;
-  Place FromHorizon(const Place& coordinates) const;
-};
-Planet planetOf(vtkDataSet* data, const Place& up);
 
 /** Values of the array on points; `otherwise` where there is none. NaN and negative values become 0 and are counted. */
 std::vector<float> valuesOf(

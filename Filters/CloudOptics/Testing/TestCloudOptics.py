@@ -2,6 +2,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Cloud Optics: extinction and optical depth by hand, units, pressure, exaggeration, cells, what is wrong."""
+import itertools
 import os
 import unittest
 
@@ -9,8 +10,8 @@ import numpy as np
 from nephoscope import vtkCloudOptics, vtkGlobeGrid
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkStringArray
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkStructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 
@@ -156,6 +157,34 @@ def globe(exaggeration):
     grid.SetVerticalExaggeration(exaggeration)
     grid.Update()
     return grid.GetOutput()
+
+
+class Orders(unittest.TestCase):
+    """Columns are those of the places, whichever index counts upwards, and from whichever end."""
+
+    def test_points_and_cells(self):
+        size = np.array([4, 5, 7])  # along z, y and x
+        z, y, x = np.meshgrid(*(1000.0 * np.arange(n) for n in size), indexing="ij")
+        fields = {"qc": 1e-3 * np.exp(-((x - 2000) ** 2 + (y - 1000) ** 2 + (z - 1500) ** 2) / 1e6), "t": 280 + x / 1000 - 0.005 * z, "z": z}
+        for on_cells in (False, True):
+            cut = (slice(None, -1),) * 3 if on_cells else ()
+            expected = {}
+            for order in itertools.permutations(range(3)):
+                for backwards in (slice(None), slice(None, None, -1)):
+                    def there(a, order=order, backwards=backwards):
+                        return np.ascontiguousarray(a.transpose(order)[backwards])
+                    grid = vtkStructuredGrid()
+                    grid.SetDimensions([int(n) for n in size[list(order)][::-1]])
+                    grid.SetPoints(vtkPoints())
+                    grid.GetPoints().SetData(numpy_to_vtk(np.stack([there(a).ravel() for a in (x, y, z)], axis=1), deep=1))
+                    add(grid.GetCellData() if on_cells else grid.GetPointData(), **{name: there(a[cut]).ravel() for name, a in fields.items()})
+                    output, messages = optics_of(grid, HeightArrayName="z")
+                    self.assertEqual(messages.all, [])
+                    for name in ("Extinction",) if on_cells else ("Extinction", "OpticalDepthAbove", "ColumnOpticalDepth"):
+                        found = values(output, name, on_cells).reshape(there(z[cut]).shape)[backwards].transpose(np.argsort(order))
+                        with self.subTest(name, order=order, backwards=backwards, on_cells=on_cells):
+                            np.testing.assert_allclose(found, expected.setdefault(name, found), rtol=1e-5)
+            self.assertGreater(expected["Extinction"].max(), 0)
 
 
 class OfGfs(unittest.TestCase):
