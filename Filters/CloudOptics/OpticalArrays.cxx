@@ -179,7 +179,7 @@ struct Column
 
 // The numbers of the points of a column, from the ground up: heights of the air tell which end is below, also where places are in other units.
 std::vector<vtkIdType> pointsOfColumn(
-  const WaterFields& fields, const GridOrder& order, std::size_t number)
+  const WaterFields& fields, const UprightOrder& order, std::size_t number)
 {
   const std::size_t stride = std::size_t(order.GetSizes()[0]) * order.GetSizes()[1];
   std::vector<vtkIdType> points;
@@ -209,7 +209,7 @@ Column columnAt(const WaterFields& fields, const std::vector<vtkIdType>& points)
   return column;
 }
 
-std::vector<double> balancedPressures(const WaterFields& fields, const GridOrder& order)
+std::vector<double> balancedPressures(const WaterFields& fields, const UprightOrder& order)
 {
   const vtkIdType columns = vtkIdType(order.GetSizes()[0]) * order.GetSizes()[1];
   std::vector<double> pressures(static_cast<std::size_t>(columns * order.GetSizes()[2]));
@@ -240,7 +240,7 @@ std::vector<double> standardPressures(vtkDataArray* heights)
 }
 }
 
-GridOrder columnsOf(vtkDataSet* data, bool onCells)
+UprightOrder columnsOf(vtkDataSet* data, bool onCells)
 {
   int sizes[3] = { 0, 0, 0 };
   if (auto* image = vtkImageData::SafeDownCast(data))
@@ -265,7 +265,7 @@ GridOrder columnsOf(vtkDataSet* data, bool onCells)
     return place;
   };
   const Planet planet = planetOf(data);
-  const GridOrder order({ { sizes[0], sizes[1], sizes[2] } }, placeOf,
+  const UprightOrder order({ { sizes[0], sizes[1], sizes[2] } }, placeOf,
     [&planet](const Vector3& place) { return planet.UpAt(place); });
   return onCells ? order.OfCells() : order;
 }
@@ -280,7 +280,7 @@ std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields)
   {
     return pressuresOfArray(fields.Arrays[WaterFields::Pressure]);
   }
-  const GridOrder order = columnsOf(data, fields.OnCells);
+  const UprightOrder order = columnsOf(data, fields.OnCells);
   if (fields.Has(WaterFields::Height) && order.GetSizes()[2] > 1)
   {
     return balancedPressures(fields, order);
@@ -309,7 +309,7 @@ OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
   return arrays;
 }
 
-void computeColumns(vtkDataSet* data, const GridOrder& order, vtkFloatArray* extinction,
+void computeColumns(vtkDataSet* data, const UprightOrder& order, vtkFloatArray* extinction,
   vtkFloatArray* above, vtkFloatArray* whole)
 {
   const int levels = order.GetSizes()[2];

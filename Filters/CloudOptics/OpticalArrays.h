@@ -4,7 +4,7 @@
 #ifndef nephoscope_OpticalArrays_h
 #define nephoscope_OpticalArrays_h
 
-#include "GridOrder.h"
+#include "UprightOrder.h"
 #include "WaterFields.h"
 
 #include "vtkFloatArray.h"
@@ -34,7 +34,7 @@ struct OpticalArrays
 };
 
 /** Structured data in columns, along the third index of the order; of other data it has one level at most. */
-GridOrder columnsOf(vtkDataSet* data, bool onCells);
+UprightOrder columnsOf(vtkDataSet* data, bool onCells);
 
 /** Pressures in pascals, of the pressure array in hydrostatic balance, or without columns of the standard atmosphere; empty where none are needed. */
 std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields);
@@ -45,7 +45,7 @@ OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
   const std::function<bool(double)>& progress);
 
 /** Optical depth from each point up to the top of its column, and of the whole column. */
-void computeColumns(vtkDataSet* data, const GridOrder& order, vtkFloatArray* extinction,
+void computeColumns(vtkDataSet* data, const UprightOrder& order, vtkFloatArray* extinction,
   vtkFloatArray* above, vtkFloatArray* whole);
 }
 

@@ -33,7 +33,7 @@ double exaggerationOf(vtkDataSet* data)
   return value > 0 ? value : 1.0;
 }
 
-void addColumns(vtkDataSet* data, const nephoscope::GridOrder& order, vtkFloatArray* extinction)
+void addColumns(vtkDataSet* data, const nephoscope::UprightOrder& order, vtkFloatArray* extinction)
 {
   for (const char* name : { "OpticalDepthAbove", "ColumnOpticalDepth" })
   {
@@ -59,7 +59,7 @@ void addArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
     attributes->AddArray(array);
   }
   attributes->SetActiveScalars("Extinction");
-  const nephoscope::GridOrder order = nephoscope::columnsOf(data, false);
+  const nephoscope::UprightOrder order = nephoscope::columnsOf(data, false);
   if (!onCells && order.GetSizes()[2] > 1)
   {
     addColumns(data, order, arrays.Extinction);

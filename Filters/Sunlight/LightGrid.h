@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A structured grid with what light meets in it; its third index counts upwards (GridOrder.h). Plain C++17.
+// A structured grid with what light meets in it; its third index counts upwards (UprightOrder.h). Plain C++17.
 #ifndef nephoscope_LightGrid_h
 #define nephoscope_LightGrid_h
 

@@ -258,7 +258,7 @@ bool makeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& 
   {
     return false;
   }
-  axes.Order = GridOrder(
+  axes.Order = UprightOrder(
     { { int(chessboard.Size[0]), int(chessboard.Size[1]), int(chessboard.Size[2]) } },
     [&places](std::size_t p) { return places[p]; },
     [&planet](const Place& place) { return planet.UpAt(place); });

@@ -4,10 +4,10 @@
 #ifndef nephoscope_LitData_h
 #define nephoscope_LitData_h
 
-#include "GridOrder.h"
 #include "LightGrid.h"
 #include "Planet.h"
 #include "SunFrame.h"
+#include "UprightOrder.h"
 
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
@@ -37,7 +37,7 @@ std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>&
 /** The points in the order of a LightGrid, and the axes of each: unit vectors along the indices. */
 struct GridAxes
 {
-  GridOrder Order;
+  UprightOrder Order;
   std::vector<std::array<Vector, 3>> Axes;
 };
 

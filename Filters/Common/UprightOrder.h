@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An order of the points of a structured grid in which the third index counts upwards, and the first one closes on itself if another horizontal one does:
 // what is computed along columns does not depend on how a grid is stored.
-#ifndef nephoscope_GridOrder_h
-#define nephoscope_GridOrder_h
+#ifndef nephoscope_UprightOrder_h
+#define nephoscope_UprightOrder_h
 
 #include "Vector3.h"
 
@@ -17,19 +17,19 @@
 
 namespace nephoscope
 {
-class VTKNEPHOSCOPEFILTERSCOMMON_EXPORT GridOrder
+class VTKNEPHOSCOPEFILTERSCOMMON_EXPORT UprightOrder
 {
 public:
   using Sizes = std::array<int, 3>;
   using PlaceOf = std::function<Vector3(std::size_t)>;
   using UpAt = std::function<Vector3(const Vector3&)>;
 
-  GridOrder() = default;
+  UprightOrder() = default;
   // `placeOf` gives the place of a point by its number in the data, `upAt` the unit vector upwards there.
-  GridOrder(const Sizes& sizes, const PlaceOf& placeOf, const UpAt& upAt);
+  UprightOrder(const Sizes& sizes, const PlaceOf& placeOf, const UpAt& upAt);
 
   // The same for cells.
-  GridOrder OfCells() const;
+  UprightOrder OfCells() const;
 
   const Sizes& GetSizes() const { return this->Ordered; }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "GridOrder.h"
+#include "UprightOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace nephoscope
 {
-GridOrder::GridOrder(const Sizes& sizes, const PlaceOf& placeOf, const UpAt& upAt)
+UprightOrder::UprightOrder(const Sizes& sizes, const PlaceOf& placeOf, const UpAt& upAt)
   : Stored(sizes)
   , Ordered(sizes)
 {
@@ -31,9 +31,9 @@ GridOrder::GridOrder(const Sizes& sizes, const PlaceOf& placeOf, const UpAt& upA
   this->Number();
 }
 
-GridOrder GridOrder::OfCells() const
+UprightOrder UprightOrder::OfCells() const
 {
-  GridOrder cells = *this;
+  UprightOrder cells = *this;
   for (int& size : cells.Stored)
   {
     size = std::max(size - 1, 1);
@@ -42,7 +42,7 @@ GridOrder GridOrder::OfCells() const
   return cells;
 }
 
-std::size_t GridOrder::Stride(int axis) const
+std::size_t UprightOrder::Stride(int axis) const
 {
   return axis == 0 ? 1
     : axis == 1    ? std::size_t(this->Stored[0])
@@ -50,7 +50,7 @@ std::size_t GridOrder::Stride(int axis) const
 }
 
 // The mean sine of the slope along this axis, from some thousand of its edges.
-double GridOrder::Climb(int axis, const PlaceOf& placeOf, const UpAt& upAt) const
+double UprightOrder::Climb(int axis, const PlaceOf& placeOf, const UpAt& upAt) const
 {
   const std::size_t points = std::size_t(this->Stored[0]) * this->Stored[1] * this->Stored[2],
                     stride = this->Stride(axis), every = points / 4096 + 1;
@@ -71,7 +71,7 @@ double GridOrder::Climb(int axis, const PlaceOf& placeOf, const UpAt& upAt) cons
 }
 
 // Whether the row in the middle of the grid ends where it begins.
-bool GridOrder::IsClosed(int axis, const PlaceOf& placeOf) const
+bool UprightOrder::IsClosed(int axis, const PlaceOf& placeOf) const
 {
   std::size_t first = 0;
   for (int other = 0; other < 3; ++other)
@@ -83,7 +83,7 @@ bool GridOrder::IsClosed(int axis, const PlaceOf& placeOf) const
   return last > 1 && distance(placeAt(0), placeAt(last)) <= 1e-3 * distance(placeAt(0), placeAt(1));
 }
 
-void GridOrder::Number()
+void UprightOrder::Number()
 {
   for (int k = 0; k < 3; ++k)
   {
