@@ -1,20 +1,25 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What the viewer finds in files of many kinds, what it draws of them, and what it says of those that it cannot."""
+import io
 import os
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from dataclasses import replace
 from pathlib import Path
 
 import nephoscope
 import numpy as np
+import PIL.Image
 import pyvista
 import xarray as xr
+from vtkmodules.vtkWebCore import vtkWebApplication, vtkWebInteractionEvent
 
 nephoscope.read_cf  # the accessor and PyVista's part are there
+from nephoscope.serving import save_time_while_moving  # noqa: E402
 from nephoscope.viewer_scene import Scene, camera_of, draw  # noqa: E402
 from nephoscope.viewer_state import View, checked  # noqa: E402
 
@@ -165,6 +170,69 @@ class Files(unittest.TestCase):
                     Scene(self.folder / name)
         with self.assertRaisesRegex(ValueError, "no points"):
             self.scene(pyvista.UnstructuredGrid(), "empty.vtu")
+
+
+class Moving(unittest.TestCase):
+    """Pictures as the page gets them while the mouse turns the view, each of which is drawn once, without multi-sampling."""
+
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(200, 150))
+        self.addCleanup(self.plotter.close)
+        self.plotter.add_mesh(pyvista.Cone())
+        self.plotter.view_isometric()
+        self.window, self.samples = self.plotter.render_window, []
+        self.plotter.screenshot()  # the driver says how many samples it has
+        save_time_while_moving(self.plotter)
+        self.plotter.renderer.AddObserver("StartEvent", lambda *_: self.samples.append(self.window.GetMultiSamples()))
+        self.application = vtkWebApplication()
+        self.application.SetImageEncoding(vtkWebApplication.ENCODING_NONE)
+
+    def sent(self):
+        """The picture that is sent, and the numbers of samples with which pictures have been drawn since the last one."""
+        self.application.StillRenderToBuffer(self.window, 0, 100)
+        time.sleep(0.2)  # for the thread that encodes it
+        picture = PIL.Image.open(io.BytesIO(bytes(memoryview(self.application.StillRenderToBuffer(self.window, 0, 100)))))
+        drawn, self.samples[:] = list(self.samples), []
+        return np.asarray(picture.convert("RGB"), float), drawn
+
+    def mouse(self, buttons, x):
+        event = vtkWebInteractionEvent()
+        event.SetButtons(buttons)
+        event.SetX(x)
+        event.SetY(0.5)
+        self.application.HandleInteractionEvent(self.window, event)
+
+    def test_one_picture_for_each_step_of_the_mouse(self):
+        before, drawn = self.sent()
+        samples = self.window.GetMultiSamples()
+        self.assertGreater(samples, 1)
+        self.assertEqual(drawn, [samples])
+        self.mouse(0, 0.5)
+        self.mouse(1, 0.5)
+        for x in (0.52, 0.55, 0.6):
+            self.mouse(1, x)
+            turned, drawn = self.sent()
+            self.assertEqual(drawn, [0])
+            self.assertEqual(self.window.GetMultiSamples(), samples)
+        self.assertGreater(np.abs(turned - before).mean(), 1)
+        self.mouse(0, 0.6)
+        rest, drawn = self.sent()
+        self.assertEqual(drawn, [samples])
+        self.assertLess(np.abs(rest - turned).mean(), 3)
+        self.plotter.view_isometric()
+        np.testing.assert_allclose(self.plotter.screenshot(), before, atol=40)  # JPEG
+
+    def test_wheel_and_widgets(self):
+        before, _ = self.sent()
+        interactor = self.window.GetInteractor()
+        interactor.SetEventPosition(100, 75)
+        interactor.MouseWheelForwardEvent()
+        self.assertEqual(self.samples, [])
+        wheel, _ = self.sent()
+        self.assertGreater(np.abs(wheel - before).mean(), 1)
+        self.plotter.camera.azimuth = 60
+        interactor.Render()  # as widgets do
+        self.assertGreater(np.abs(self.sent()[0] - wheel).mean(), 1)
 
 
 class Command(unittest.TestCase):

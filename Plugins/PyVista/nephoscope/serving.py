@@ -19,6 +19,7 @@ from .samples import requirements, shared
 from .viewer_state import PORT
 
 PACKAGES = ("trame", "trame_vtk", "trame_vuetify")
+MOVING = 1.0  # pictures a second that a window is asked for while the mouse turns it, at least; at rest 0.0001
 
 
 def serve(plotter: pyvista.Plotter, *, port: int = PORT, host: str = "127.0.0.1", open_browser: bool = True, title: str = "Nephoscope") -> None:
@@ -95,10 +96,31 @@ def add_view(plotter: pyvista.Plotter, **options: Any) -> Any:
             renderer.camera_position = renderer.get_default_cam_pos()
             renderer.ResetCamera()
     client.Style("html { overflow-y: auto }")  # Vuetify's pages have a scroll bar even if everything is visible
+    save_time_while_moving(plotter)
     view = VtkRemoteView(plotter.render_window, interactive_ratio=1, **options)
     view.server.controller.on_server_ready.add(view.update)
     plotter.add_on_render_callback(lambda *_: view.update() if view.server.running else None, render_event=False)
     return view
+
+
+def save_time_while_moving(plotter: pyvista.Plotter) -> None:
+    """Leaves out what makes a moving picture slow in software OpenGL: the pictures that the interactor draws at each event of the mouse beside those that are sent, and multi-sampling."""
+    window, interactor = plotter.render_window, plotter.iren.interactor
+    samples: list[int] = []  # while a moving picture is drawn
+
+    def start(*_: Any) -> None:
+        if window.GetDesiredUpdateRate() >= MOVING and window.GetMultiSamples() > 1:
+            samples.append(window.GetMultiSamples())
+            window.SetMultiSamples(0)
+
+    def end(*_: Any) -> None:
+        if samples:
+            window.SetMultiSamples(samples.pop())
+
+    window.AddObserver("StartEvent", start)
+    window.AddObserver("EndEvent", end)
+    interactor.EnableRenderOff()
+    interactor.AddObserver("RenderEvent", lambda *_: window.Modified())  # in place of drawing: what is sent next has to be drawn
 
 
 def run(server: Any, port: int, host: str, open_browser: bool) -> None:
