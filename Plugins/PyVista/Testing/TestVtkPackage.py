@@ -90,6 +90,26 @@ class VtkPackage(unittest.TestCase):
         self.assertIn("since the environment variable PYVISTA_VTK_BACKEND says so",
                       self.run_code("import pyvista, nephoscope", PYVISTA_VTK_BACKEND="cvista"))
 
+    def test_older_pyvista(self):
+        """One sentence tells it, whether PyVista has been imported or cannot be."""
+        self.vtk("9.6.2")
+        self.write("site/pyvista-0.40.1.dist-info/METADATA", "Name: pyvista\nVersion: 0.40.1\n")
+        for version, content, code in (("0.40.1", "from vtkmodules.vtkRenderingCore import inner\n", "import nephoscope"),
+                                       ("0.46.4", "__version__ = '0.46.4'\n", "import pyvista, nephoscope")):
+            self.write("site/pyvista.py", content)
+            answer = self.run_code(f"{code}\nnephoscope.read_cf")
+            self.assertIn(f"ImportError: nephoscope needs PyVista 0.48 or later with its vtk 9.6.2, but PyVista {version} is installed. Run: {sys.executable} -m pip install \"pyvista>=0.48\"\n", answer)
+            self.assertEqual((answer.count("Traceback"), answer.count("Warning"), "inner" in answer), (1, 0, False), answer)
+
+    def test_pyvista_that_does_not_fit_the_vtk_of_a_build(self):
+        self.installed(False)
+        self.vtk("9.2.0")
+        for content, told in (("from vtkmodules.vtkRenderingCore import inner\n", "cannot import name 'inner'"), ("import vtkmodules.inner\n", "No module named 'vtkmodules.inner'")):
+            self.write("site/pyvista.py", content)
+            answer = self.run_code("import nephoscope\nnephoscope.read_cf")
+            self.assertRegex(answer, f"ImportError: PyVista .*does not work with this VTK: {told}.*PyVista must use this VTK.* Run: ")
+            self.assertEqual(answer.count("Traceback"), 1, answer)
+
     def test_no_sample_data(self):
         self.vtk("9.6.2")
         answer = self.run_code("import nephoscope\nnephoscope.sample_data('blue_marble_2048.jpg')")

@@ -18,7 +18,9 @@ from ._libraries import own_symbols as _own_symbols
 from ._libraries import warn_of_order as _warn_of_order
 from ._modules import MODULES as _MODULES
 from ._modules import VERSION as __version__
+from ._vtk import pyvista_version as _pyvista_version
 from ._vtk import require_backend as _require_backend
+from ._vtk import require_pyvista as _require_pyvista
 from ._vtk import require_wheel as _require_wheel
 
 if _TYPE_CHECKING:
@@ -131,9 +133,13 @@ def __getattr__(name):
         return getattr(_importlib.import_module("." + VTK_FUNCTIONS[name], __name__), name)
     if name not in PYVISTA_FUNCTIONS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}" + _INSTEAD.get(name, ""))
+    if _modules.FROM_PYPI:
+        _require_pyvista(_modules.VTK_VERSION)
     try:
         import pyvista  # noqa: F401
-    except ModuleNotFoundError as missing:
+    except ImportError as missing:
+        if not isinstance(missing, ModuleNotFoundError) or str(missing.name).startswith("vtkmodules"):
+            raise ImportError(f"PyVista {_pyvista_version()} does not work with this VTK: {missing}. {_pyvista_remedy()}", name="pyvista") from None
         raise ModuleNotFoundError(
             f"nephoscope.{name} needs PyVista, and {missing.name!r} is not installed for {_sys.executable}. "
             + _pyvista_remedy(), name=missing.name) from missing

@@ -2,10 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks that VTK is the one for which the classes were compiled; any other is rejected with a sentence that gives the remedy."""
 import importlib
+import importlib.metadata
 import os
+import re
 import sys
 from importlib.util import find_spec
 from pathlib import Path
+
+PYVISTA = (0, 48)  # the first with accessors, and the oldest that has been tested with VTK's wheels
 
 
 def require_wheel(version, modules):
@@ -42,6 +46,36 @@ def require_wheel(version, modules):
     if folder.parent != Path(__file__).resolve().parents[1]:  # not at the same time: the loader must find VTK's libraries before ours
         for module in modules:
             importlib.import_module("vtkmodules." + module)
+
+
+def pyvista_version():
+    """The version of PyVista, which need not be imported; "" if it is not known."""
+    known = getattr(sys.modules.get("pyvista"), "__version__", None)
+    try:
+        return known or importlib.metadata.version("pyvista")
+    except importlib.metadata.PackageNotFoundError:
+        return ""
+
+
+def require_pyvista(vtk_version):
+    """Fail if PyVista is older than those that work with the package ``vtk`` of the Python package index, without importing it.
+
+    Parameters
+    ----------
+    vtk_version : str
+        The version of VTK that the classes were built for.
+
+    Raises
+    ------
+    ImportError
+        If PyVista is too old.
+    """
+    version = pyvista_version()
+    numbers = re.match(r"(\d+)\.(\d+)", version)
+    if numbers and tuple(map(int, numbers.groups())) < PYVISTA:
+        least = ".".join(map(str, PYVISTA))
+        raise ImportError(f"nephoscope needs PyVista {least} or later with its vtk {vtk_version}, but PyVista {version} is installed. "
+                          f'Run: {sys.executable} -m pip install "pyvista>={least}"', name="pyvista")
 
 
 def require_backend():
