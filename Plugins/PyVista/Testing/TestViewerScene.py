@@ -110,6 +110,27 @@ class Files(unittest.TestCase):
             drawn = plotter.screenshot()[size[1] * 3 // 4:, int(0.825 * size[0]):int(0.865 * size[0])].max(axis=(1, 2)) > 60
             self.assertEqual(np.count_nonzero(drawn[1:] & ~drawn[:-1]), 3, size)
 
+    def test_legends(self):
+        """Every colour has a bar, with its unit and labels that stand apart, also in the part of a window of 800 x 600 pixels beside the side bar."""
+        scenes = {name: Scene(FORECAST) for name in ("cells", "winds", "smoke")}
+        flat = self.scene(image(), "flow.vti")
+        for technique, scene, field, titles in (("cells", scenes["cells"], "gh", ["gh [m]"]), ("winds", scenes["winds"], "", ["cloud_fraction", "Streaks [m s-1]"]),
+                                                ("smoke", scenes["smoke"], "", ["cloud_fraction"]), ("winds", flat, "", ["q", "Streaks: flow"]), ("smoke", flat, "", ["q"])):
+            with self.subTest(technique, titles=titles):
+                plotter = pyvista.Plotter(off_screen=True, window_size=(500, 600), theme=pyvista.themes.DarkTheme())
+                self.addCleanup(plotter.close)
+                draw(plotter, scene, checked(View(field, technique), scene.choices)[0])
+                bars = list(plotter.scalar_bars.values())
+                self.assertEqual([bar.GetTitle().strip() for bar in bars], titles)
+                self.assertTrue(all(bar.GetPosition()[0] + bar.GetWidth() < bars[0].GetPosition()[0] - 0.1 for bar in bars[1:]))
+                for bar in bars:
+                    self.assertEqual(bar.GetOrientation(), 0)
+                    labels = [bar.GetLabelFormat() % value for value in np.linspace(*bar.GetLookupTable().GetRange(), 3)]
+                    self.assertLess(max(map(len, labels)), 7)
+                    self.assertEqual(len(set(labels)), 3)
+                colours = np.array([bars[-1].GetLookupTable().GetTableValue(i) for i in (0, 128, 255)])
+                self.assertTrue(technique == "cells" or np.ptp(colours[:, :3], axis=1).max() > 0.2, colours)  # not grey alone
+
     def test_camera_is_what_it_was(self):
         scene = Scene(FORECAST)
         camera = (1e7, 2e7, 3e7, 1.0, 2.0, 3.0, 0.0, 0.0, 1.0)

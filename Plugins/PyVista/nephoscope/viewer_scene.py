@@ -12,7 +12,7 @@ import numpy as np
 import pyvista
 
 from ._blocks import cell_dimension
-from ._fields import is_helper, presets
+from ._fields import Preset, is_helper, preset_of_field, presets
 from ._globe_camera import look_at_region
 from .cells import add_cells
 from .cloud_texture import add_cloud_texture
@@ -24,9 +24,14 @@ from .splats import add_splats
 from .terrain import add_terrain, terrain_surface
 from .viewer_sources import KEPT, one_sentence, source_of
 from .viewer_state import Choices, View
+from .weather.bars import label_format
 from .weather.ground import add_ground
+from .weather.naming import UNITLESS
+from .weather.units import usual
 
 BAR = {"width": 0.25, "height": 0.08, "position_x": 0.72, "position_y": 0.02, "n_labels": 3, "fmt": "%.4g", "title_font_size": 16, "label_font_size": 14}
+BESIDE = 0.05       # left edge of the second bar
+STREAKS = "autumn_r"  # colours by speed: they are seen on white clouds, land and water
 GLOBE_ZOOM = 1.4    # nearer than PyVista's camera, which leaves room for the corners of a box
 OPTICAL_DEPTH = 3   # of a cloud surface, as add_cloud_texture has it
 
@@ -48,6 +53,14 @@ class Scene:
     def grid(self, view: View) -> pyvista.DataSet:
         """The data at the time of the view: on a globe with the view's exaggeration, or unchanged from the file."""
         return self._grid(view.time, view.exaggeration)
+
+    def title(self, name: str, view: View) -> str:
+        """That of a scalar bar: the name of its array, with the unit if this is known."""
+        grid, streaks = self.grid(view), view.technique == "winds" and name != view.field
+        array = _speed(grid) if streaks else name
+        units = "m s-1" if array == "Wind" else self._source.units(grid, array)
+        text = "Streaks" if array == "Wind" else f"Streaks: {array}" if streaks else name
+        return text if units.strip().lower() in UNITLESS else f"{text} [{usual(units)}]"
 
     def add_to(self, plotter: pyvista.BasePlotter, view: View) -> None:
         """Adds the contents of the view to an empty plotter."""
@@ -78,8 +91,13 @@ def draw(plotter: pyvista.BasePlotter, scene: Scene, view: View) -> list[str]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         scene.add_to(plotter, view)
-        for bar in plotter.scalar_bars.values():
-            bar.SetTitle(f"{bar.GetTitle()}\n ")  # VTK leaves no room between title and labels
+        for number, (name, bar) in enumerate(plotter.scalar_bars.items()):
+            bar.SetTitle(f"{scene.title(name, view)}\n ")  # VTK leaves no room between title and labels
+            bar.SetOrientationToHorizontal()
+            bar.SetPosition(BESIDE if number else BAR["position_x"], BAR["position_y"])
+            bar.SetWidth(BAR["width"])
+            bar.SetHeight(BAR["height"])
+            bar.SetLabelFormat(label_format(*bar.GetLookupTable().GetRange(), bar.GetNumberOfLabels()))
         _look(plotter, scene, view)
         plotter.render()
     return list(dict.fromkeys(one_sentence(warning.message) for warning in caught if issubclass(warning.category, (UserWarning, RuntimeWarning))))
@@ -119,6 +137,12 @@ def _vectors(mesh: pyvista.DataSet) -> str | None:
     return next((name for name in wanted if name in names), names[0] if names else None)
 
 
+def _speed(mesh: pyvista.DataSet) -> str | None:
+    """The vectors that colour the streaks by their length: winds in m/s, not as they are drawn with exaggerated heights."""
+    name = _vectors(mesh)
+    return "Wind" if name == "DisplayVelocity" and "Wind" in mesh.point_data else name
+
+
 def _techniques(mesh: pyvista.DataSet, fields: tuple[str, ...]) -> tuple[str, ...]:
     solid = cell_dimension(mesh) == 3
     structured = isinstance(mesh, (pyvista.ImageData, pyvista.RectilinearGrid, pyvista.StructuredGrid))
@@ -140,13 +164,23 @@ def _add_surface(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, view: View
 
 def _add_smoke(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, view: View) -> None:
     smoke = flow_volume(grid, vectors=_vectors(grid))
-    add_smoke(plotter, smoke, view.field, optical_depth=view.opacity, preset=view.preset or None, scalar_bar_args=dict(BAR), render=False)
+    preset = view.preset or (None if _has_colours(preset_of_field(view.field, smoke)) else False)
+    add_smoke(plotter, smoke, view.field, optical_depth=view.opacity, preset=preset, scalar_bar_args=dict(BAR), render=False)
+
+
+def _has_colours(preset: Preset | None) -> bool:
+    """Whether its colours show values on smoke: those of clouds are all nearly white."""
+    return preset is None or float(np.ptp(preset.colours[:, 1:], axis=0).max()) > 0.3
+
+
+def _add_winds(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, view: View) -> None:
+    add_splats(plotter, grid, vectors={"array": _vectors(grid), "scalars": _speed(grid), "cmap": STREAKS}, **_medium(view))
 
 
 _ADD: dict[str, Callable[[pyvista.BasePlotter, pyvista.DataSet, View], Any]] = {
     "cells": lambda plotter, grid, view: add_cells(plotter, grid, **_medium(view)),
     "splats": lambda plotter, grid, view: add_splats(plotter, grid, **_medium(view)),
-    "winds": lambda plotter, grid, view: add_splats(plotter, grid, vectors=_vectors(grid), **_medium(view)),
+    "winds": _add_winds,
     "surface": _add_surface,
     "smoke": _add_smoke,
     "mesh": lambda plotter, grid, view: plotter.add_mesh(grid, scalars=view.field or None, scalar_bar_args=dict(BAR), render=False),

@@ -53,6 +53,10 @@ class MeshFile:
         mesh = self._read(time)
         return to_globe(mesh, vertical_exaggeration=exaggeration, surface=self.ground) if self.is_globe else mesh
 
+    def units(self, mesh: pyvista.DataSet, name: str) -> str:
+        """The unit of an array of the mesh; "" if it is not known."""
+        return str(mesh.field_data[f"{name}_units"][0]) if f"{name}_units" in mesh.field_data else ""
+
     def _read_file(self, time: int) -> pyvista.DataSet:
         with _silence():
             mesh = wrapped(_reader(self._path)(time), merge_points=False)
@@ -76,6 +80,12 @@ class WeatherFile:
         """Like `MeshFile.grid`; heights of a flat grid are not exaggerated."""
         accessor = self._dataset.nephoscope
         return accessor.mesh(**({"time": time} if self.times else {}), vertical_exaggeration=1.0 if accessor._is_flat({}) else exaggeration)
+
+    def units(self, mesh: pyvista.DataSet, name: str) -> str:
+        """Like `MeshFile.units`."""
+        from .weather.naming import UNITS
+        told = self._dataset.variables[name].attrs.get("units", "") if name in self._dataset.variables else UNITS.get(name, "")
+        return str(mesh.field_data[f"{name}_units"][0]) if f"{name}_units" in mesh.field_data else str(told)
 
 
 def one_sentence(message: object) -> str:
