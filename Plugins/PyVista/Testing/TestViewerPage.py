@@ -23,7 +23,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "Testing/Pictures")
 import pictures  # noqa: E402
 
 nephoscope.read_cf  # the accessor and PyVista's part are there
-from nephoscope.viewer_scene import Scene, draw  # noqa: E402
+from nephoscope.viewer_scene import Scene, camera_of, draw  # noqa: E402
 from nephoscope.viewer_state import View, checked, from_query  # noqa: E402
 
 FORECAST = Path(os.environ["NEPHOSCOPE_DATA"], "forecast_10deg_6h.nc")
@@ -31,6 +31,7 @@ OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
 SIZE = (900, 600)
 VIEW = "(() => { const r = document.querySelector('img').getBoundingClientRect(); return [r.x, r.y, r.width, r.height] })()"
 SCROLLED = "(e => [getComputedStyle(e).overflowY, e.scrollHeight])(document.documentElement)"
+DRAWING = "!!document.querySelector('.drawing')?.offsetWidth"
 PLACE = """(() => { const r = [...document.querySelectorAll('%s')].find(e => e.offsetWidth && e.innerText.includes('%s'))?.getBoundingClientRect();
            return r?.width ? [r.x + r.width / 2, r.y + r.height / 2] : null })()"""
 
@@ -162,6 +163,29 @@ class Viewer(PageTestCase):
         self.click(".v-switch label", "Terrain")
         wait_for(lambda: "terrain=0" in self.link(), "terrain=0", 20)
         self.shows(self.browser, self.off_screen(self.link()), "TestViewerPage-side-bar")
+
+    def test_camera_stays(self):
+        """With another technique, field or time the data stay where they are."""
+        start = "?field=cloud_fraction&technique=cells&time=0&exaggeration=30&opacity=1&terrain=1&preset=&camera="
+        self.open(start)
+        self.shows(self.browser, self.off_screen(start), "TestViewerPage-camera-before")
+        plotter = pyvista.Plotter(off_screen=True, theme=pyvista.themes.DarkTheme())
+        self.addCleanup(plotter.close)
+        draw(plotter, self.scene, from_query(start, View())[0])
+        camera = camera_of(plotter)
+        for select, item, part in (("Technique", "Splats", "technique=splats"), ("Field", "gh", "field=gh"), ("Technique", "Cells (volume)", "technique=cells"), ("Field", "cloud_fraction", "field=cloud_fraction")):
+            self.choose(select, item)
+            wait_for(lambda: part in self.link() and not self.browser.run(DRAWING), part, 30)  # noqa: B023
+            np.testing.assert_allclose(from_query(self.link(), View())[0].camera, camera, rtol=1e-4, atol=100)
+        self.shows(self.browser, self.off_screen(start), "TestViewerPage-camera-after")
+
+    def test_what_is_being_drawn_is_told(self):
+        self.browser.open(self.server.address + "?technique=cells&camera=")
+        wait_for(lambda: self.browser.run("!!document.body?.innerText.includes('Drawing ...') && !document.querySelector('img')?.naturalWidth"), "nothing is told of the first picture", 30)
+        wait_for(lambda: self.browser.run("!!document.querySelector('img')?.naturalWidth") and not self.browser.run(DRAWING), "the first picture", 60)
+        self.browser.run(f"void (window.told = [], setInterval(() => window.told.push({DRAWING}), 20))")
+        self.choose("Technique", "Splats")
+        wait_for(lambda: self.browser.run("window.told.includes(true) && !window.told.at(-1)"), "nothing is told of a change, or for ever", 60)
 
     def test_mouse_turns_and_a_second_browser_sees_it(self):
         start = "?field=cloud_fraction&technique=cells&time=0&exaggeration=30&opacity=1&terrain=1&preset=&camera="

@@ -20,6 +20,7 @@ from vtkmodules.vtkWebCore import vtkWebApplication, vtkWebInteractionEvent
 
 nephoscope.read_cf  # the accessor and PyVista's part are there
 from nephoscope.serving import save_time_while_moving  # noqa: E402
+from nephoscope.viewer_page import camera_after, moved_away  # noqa: E402
 from nephoscope.viewer_scene import Scene, camera_of, draw  # noqa: E402
 from nephoscope.viewer_state import View, checked  # noqa: E402
 
@@ -144,6 +145,15 @@ class Files(unittest.TestCase):
             self.assertEqual(plotter.camera.view_angle, 30.0)
             draw(plotter, scene, checked(View(technique=technique, camera=camera_of(plotter)), scene.choices)[0])
             np.testing.assert_allclose(np.asarray(plotter.screenshot(), float), usual, atol=1)
+
+    def test_camera_after_a_choice(self):
+        camera = (8.0, 0, 0, 2, 0, 0, 0, 0, 1)
+        cells, smoke = View(technique="cells"), View(technique="smoke")
+        self.assertEqual(camera_after(cells, replace(cells, technique="splats", time=1, exaggeration=30.0), camera, True), camera)
+        self.assertEqual(camera_after(cells, smoke, camera, True), ())  # it may be behind the Earth
+        self.assertEqual(camera_after(cells, smoke, camera, False), camera)
+        self.assertEqual(camera_after(smoke, cells, camera, True), camera)
+        self.assertEqual(moved_away(camera, 1.5), (11.0, 0, 0, 2, 0, 0, 0, 0, 1))
 
     def test_other_files(self):
         for name, mesh, techniques in (

@@ -17,8 +17,11 @@ from .viewer_state import LIMITS, TECHNIQUES, View, checked, from_mapping, from_
 
 CHOSEN = ("field", "technique", "time", "exaggeration", "opacity", "preset", "terrain")  # by the widgets
 PATIENCE = 0.3  # seconds during which changes are collected, because a slider sends many
+SENDING = 0.7  # seconds until a picture has been compressed and sent: trame looks for it after half a second
 HEIGHT = "height: 100%; width: 100%"
 COPY = "utils.get('navigator').clipboard.writeText(utils.get('location').href); copied = true"
+DRAWING = "Drawing ..."  # behind the first picture, and in front of the last one while the next is drawn
+MIDDLE = "position: absolute; inset: 0; display: flex; align-items: center; justify-content: center; pointer-events: none"
 FOLLOW = "utils.get('history').replaceState(null, '', $event)"
 
 
@@ -35,6 +38,7 @@ class Page:
         self.state.trame__title = f"{scene.path.name} - Nephoscope"
         self.state.change(*CHOSEN)(self._on_choice)
         server.trigger("nephoscope_open")(self._on_open)
+        self.state.drawing = False
         self._draw(problems)
         self.plotter.suppress_rendering = True  # from now on the view in the page renders
         self._lay_out(server)
@@ -50,13 +54,32 @@ class Page:
     def _on_choice(self, **_: Any) -> None:
         """Handles a choice in the side bar: draws once no more changes arrive."""
         chosen, problems = from_mapping({name: self.state[name] for name in CHOSEN}, self.view)
-        chosen, more = checked(replace(chosen, camera=camera_after(self.view, chosen)), self.scene.choices)
+        chosen, more = checked(chosen, self.scene.choices)
         if chosen != self.view:
-            self.view = chosen
+            camera = () if self.waiting is not None and not self.view.camera else camera_of(self.plotter)  # it is going to be the usual one
+            self.view = replace(chosen, camera=camera_after(self.view, chosen, camera, self.scene.choices.globe))
             self._publish(problems + more)
-            if self.waiting is not None:
-                self.waiting.cancel()
-            self.waiting = asyncio.get_running_loop().call_later(PATIENCE, self._draw, problems + more)
+            self._draw_soon(problems + more)
+
+    def _draw_soon(self, problems: list[str]) -> None:
+        """Tells it first: nothing is sent to the browsers while a picture is drawn."""
+        self.state.drawing = True
+        if self.waiting is not None:
+            self.waiting.cancel()
+        self.waiting = asyncio.get_running_loop().call_later(PATIENCE, self._on_chosen, problems)
+
+    def _on_chosen(self, problems: list[str]) -> None:
+        self.waiting = None
+        if self.view.camera == self.drawn and self.view.exaggeration != self.shown.exaggeration:  # and no link has another camera
+            change = self.scene.grid(self.view).length / self.scene.grid(self.shown).length
+            self.view = replace(self.view, camera=moved_away(self.view.camera, change))
+        self._draw(problems)
+        asyncio.get_running_loop().call_later(SENDING, self._on_sent)
+
+    def _on_sent(self) -> None:
+        if self.waiting is None:
+            with self.state:
+                self.state.drawing = False
 
     def _on_open(self, query: str) -> None:
         """Handles a link that a browser has opened; everyone connected to this server sees the picture."""
@@ -65,7 +88,7 @@ class Page:
         changed, self.view = opened != self.view, opened
         self._publish(problems + more or self.state.problems)
         if changed or problems or more:
-            self._draw(problems + more)
+            self._draw_soon(problems + more)
 
     def _on_camera(self, *_: Any) -> None:
         """Handles a change of the camera, by the mouse or by drawing; this occurs many times."""
@@ -81,7 +104,7 @@ class Page:
 
     def _on_reset(self) -> None:
         self.view = replace(self.view, camera=())
-        self._draw([])
+        self._draw_soon([])
 
     def _draw(self, problems: list[str]) -> None:
         try:
@@ -90,25 +113,28 @@ class Page:
             problems = [*problems, f"{TECHNIQUES[self.view.technique]} of {self.view.field!r} cannot be drawn: {one_sentence(error)}"]
         for problem in problems:
             print(f"Nephoscope: {problem}", file=sys.stderr, flush=True)
-        self.drawn = camera_of(self.plotter)
+        self.drawn, self.shown = camera_of(self.plotter), self.view
         with self.state:
             self._publish(problems)
 
     def _lay_out(self, server: Any) -> None:
         from trame.ui.vuetify3 import VAppLayout
-        from trame.widgets import client, vuetify3 as v
+        from trame.widgets import client, html, vuetify3 as v
         with VAppLayout(server, full_height=True, theme="dark"):
             client.ClientTriggers(mounted="trigger('nephoscope_open', [utils.get('location').search])")
             self.address = client.JSEval(exec=FOLLOW)
             with v.VNavigationDrawer(permanent=True, width=300):
-                v.VProgressLinear(indeterminate=True, active=("trame__busy",), absolute=True)
+                v.VProgressLinear(indeterminate=True, active=("drawing || trame__busy",), absolute=True)
                 with v.VContainer(classes="d-flex flex-column", style="gap: 12px"):
                     v.VCardTitle(self.scene.path.name, classes="pa-0 text-subtitle-1", title=str(self.scene.path))
                     self._add_choices(v)
                     self._add_buttons(v)
                     v.VAlert("{{ problem }}", v_for="problem in problems", key="problem", type="warning", density="compact", classes="text-body-2")
-            with v.VMain(), v.VContainer(fluid=True, classes="pa-0 fill-height"):
+            with v.VMain(), v.VContainer(fluid=True, classes="pa-0 fill-height", style="position: relative"):
+                html.Div(DRAWING, style=MIDDLE)
                 add_view(self.plotter, style=HEIGHT)
+                with html.Div(v_show="drawing", style=f"{MIDDLE}; z-index: 2"):
+                    v.VChip(DRAWING, classes="drawing", variant="elevated")
 
     def _add_choices(self, v: Any) -> None:
         choices, plain = self.scene.choices, {"density": "compact", "hide_details": True}
@@ -133,9 +159,15 @@ class Page:
                v_if="utils.get('navigator').clipboard")  # browsers provide it for this machine and with https
 
 
-def camera_after(old: View, new: View) -> tuple[float, ...]:
+def camera_after(old: View, new: View, camera: tuple[float, ...], globe: bool) -> tuple[float, ...]:
     """The camera stays, except for smoke, which lies on one side of the globe."""
-    return () if new.technique == "smoke" != old.technique else old.camera
+    return () if globe and new.technique == "smoke" != old.technique else camera
+
+
+def moved_away(camera: tuple[float, ...], factor: float) -> tuple[float, ...]:
+    """The camera in its direction from the focal point, at `factor` times the distance."""
+    position, focus, upward = (camera[i:i + 3] for i in (0, 3, 6))
+    return (*(f + factor * (p - f) for p, f in zip(position, focus)), *focus, *upward)
 
 
 def _slider(v: Any, name: str, told: str, least: float, most: float, step: float) -> None:
