@@ -13,6 +13,7 @@ from pyvista.core.errors import MissingDataError
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid, vtkPiecewiseFunction, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkVolume, vtkVolumeProperty
 
+from ._bars import add_bar
 from ._blocks import alike, cell_dimension, fitting, named_blocks
 from ._checks import arrays_of, as_array, listed, require_number
 from ._components import are_colours, reduced, require_component, title_of
@@ -446,7 +447,7 @@ def readable(colour: pyvista.Color, background: pyvista.Color) -> pyvista.Color:
 def _add_bar(plotter: pyvista.BasePlotter, mapper: MediumMapper, title: str, table: pyvista.LookupTable | None, options: dict) -> None:
     annotated = table is not None and table.GetNumberOfAnnotatedValues() > 0
     upright = {"vertical": True} if annotated else {}
-    bar = plotter.add_scalar_bar(**{"title": title, "color": text_colour(plotter), **upright, **options, "mapper": mapper})
+    bar = add_bar(plotter, **{"title": title, "color": text_colour(plotter), **upright, **options, "mapper": mapper})
     if bar is None or table in (None, mapper.lookup_table):
         return
     bar.SetLookupTable(table)

@@ -11,8 +11,9 @@ import numpy as np
 import pyvista
 
 from . import vtkSplatSpeedKey
+from ._bars import add_bar, key_of
 from ._checks import choose, listed, require_beside_scalars, require_number
-from ._medium import array_values, lookup_table, text_colour, text_colour
+from ._medium import array_values, lookup_table, text_colour
 from ._over_time import fastest, lengths_of_vectors, values_over_time
 from ._pipeline import level_of_caller
 from ._typing import Numbers
@@ -177,9 +178,9 @@ class Vectors:
         shown = pyvista.DataSetMapper()
         shown.lookup_table, shown.scalar_range = self.table, self.table.scalar_range
         own = {name: value for name, value in (bar_args or {}).items() if name not in ("title", "mapper", "position_x", "position_y")}
-        title = self.scalars if self.scalars not in plotter.scalar_bars else f"{self.scalars} of {self.array}"
-        upright = {"vertical": True, "position_y": 0.28} if len(plotter.scalar_bars) else {}
-        plotter.add_scalar_bar(**{"color": text_colour(plotter), **upright, **own, "title": title, "mapper": shown})
+        title = self.scalars if key_of(plotter, self.scalars) not in plotter.scalar_bars else f"{self.scalars} of {self.array}"
+        upright = {"vertical": True, "position_y": 0.28} if any(map(plotter.renderer.HasViewProp, plotter.scalar_bars.values())) else {}
+        add_bar(plotter, **{"color": text_colour(plotter), **upright, **own, "title": title, "mapper": shown})
 
     def add_key(self, plotter: pyvista.BasePlotter, volume: pyvista.Volume, shows_bars: bool) -> None:
         """Adds the legend of the motion, which is drawn as long as the volume is."""

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet, vtkHy
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from . import vtkCloudTextureMapper
+from ._bars import add_mesh
 from ._blocks import cell_dimension, named_blocks, outer_surface
 from ._checks import arrays_of, as_array, choose, listed, require_number
 from ._components import require_component, title_of
@@ -249,7 +250,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     if sun is not None:
         surface, scalars = _light(plotter, surface, scalars, sun, exposure, tone_mapping, options)
     render = options.pop("render", True)
-    actor = plotter.add_mesh(surface, scalars=scalars, render=False, **options)  # its mapper is not yet ours
+    actor = add_mesh(plotter, surface, scalars if isinstance(scalars, str) else "Data", scalars=scalars, render=False, **options)  # its mapper is not yet ours
     drawn = actor.mapper
     mapper.ShallowCopy(drawn)  # colours, as add_mesh has set them
     mapper.SelectColorArray(drawn.GetArrayName())  # which ShallowCopy leaves out

@@ -10,6 +10,7 @@ import pyvista
 from pyvista.core.errors import MissingDataError
 
 from . import vtkGlobeTerrain
+from ._bars import add_mesh
 from ._checks import choose, listed, require_number
 from ._fields import terrain_preset
 from ._medium import require_plotter
@@ -113,9 +114,8 @@ def add_terrain(plotter: pyvista.BasePlotter, terrain: pyvista.DataSet, *, cmap:
     if "Terrain" not in getattr(terrain, "point_data", ()):
         raise MissingDataError("terrain has no point array 'Terrain'. Make it with terrain_surface.")
     limits, colours = terrain_preset(COLOURS)
-    defaults = {"scalars": "Terrain", "clim": limits if clim is None else clim, "cmap": colours if cmap is None else cmap,
-                "scalar_bar_args": {"title": "Height (m)"}}
-    return plotter.add_mesh(terrain, **{**defaults, **options})
+    defaults = {"scalars": "Terrain", "clim": limits if clim is None else clim, "cmap": colours if cmap is None else cmap}
+    return add_mesh(plotter, terrain, "Height (m)", **{**defaults, **options})
 
 
 def _height_name(mesh: pyvista.DataSet, height: str | None) -> str:

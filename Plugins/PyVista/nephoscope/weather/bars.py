@@ -10,6 +10,7 @@ import pyvista
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
+from .._bars import title_in
 from .view import size_of
 
 RIGHT = 0.885  # left edge of an upright bar in a window that has room beside it, as a share of the width
@@ -31,10 +32,10 @@ def label_format(low: float, high: float, count: int) -> str:
 
 def finish_bars(plotter: pyvista.BasePlotter, title) -> None:
     """Titles, labels and places of all scalar bars; upright ones may take room from the picture beside them. `title`: of the name of an array."""
-    for name, bar in plotter.scalar_bars.items():
-        if bar.GetTitle() != name or not plotter.renderer.HasViewProp(bar):  # it is finished, or another sub-plot's
+    for key, bar in plotter.scalar_bars.items():
+        if bar.GetTitle() != title_in(key) or not plotter.renderer.HasViewProp(bar):  # it is finished, or another sub-plot's
             continue
-        set_title(bar, title(bar.GetTitle()))
+        set_title(bar, title(title_in(key)))
         table = bar.GetLookupTable()
         count, logarithmic = bar.GetNumberOfLabels(), bool(table.UsingLogScale())
         if not logarithmic:

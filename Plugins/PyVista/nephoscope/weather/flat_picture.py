@@ -8,6 +8,7 @@ from typing import Callable
 import numpy as np
 import pyvista
 
+from .._bars import add_mesh
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .._over_time import follows
@@ -94,7 +95,7 @@ def _draw_faces(plotter: pyvista.BasePlotter, faces: pyvista.PolyData, name: str
     association = association_of(faces, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
     look = surface_look(plotter, faces, name, association, options, over_ground=False)
     plotter.add_mesh(faces.outline(), color="grey")
-    plotter.add_mesh(faces, scalars=name, **{"lighting": False, **look})
+    add_mesh(plotter, faces, name, scalars=name, **{"lighting": False, **look})
     _look_from_the_south(plotter)
     of_volume = with_share(title, faces, name, association, options, look)
     return lambda array: f"{of_volume(array)}\nouter faces"
@@ -116,7 +117,7 @@ def _draw_section(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: 
     association = association_of(grid, name, "point", "scalars")  # raises an error if no value is finite; VTK would end the process
     look = surface_look(plotter, grid, name, association, options, over_ground=False)
     title = with_share(title, grid, name, association, options, look)
-    plotter.add_mesh(visible(grid, name), scalars=name, **{"nan_opacity": 0, "lighting": False, **look})
+    add_mesh(plotter, visible(grid, name), name, scalars=name, **{"nan_opacity": 0, "lighting": False, **look})
     plotter.view_vector(FACING[flat], viewup=(0, 1, 0) if flat == "z" else (0, 0, 1))
     add_scales(plotter, grid.bounds, flat, scales)
     plotter.enable_parallel_projection()
