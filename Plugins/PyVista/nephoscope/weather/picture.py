@@ -9,6 +9,7 @@ import numpy as np
 import pyvista
 from vtkmodules.vtkRenderingCore import vtkProp3D
 
+from .._bars import add_mesh
 from .._blocks import cell_dimension
 from .._globe_camera import look_down
 from .._medium import association_of, default_scalars
@@ -110,7 +111,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         look = surface_look(plotter, grid, name, association, options)
         title = with_share(title, grid, name, association, options, look)
         culling = _far_side(sheet) if on_globe and sheet is grid else None
-        plotter.add_mesh(sheet, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, "culling": culling, **look})
+        add_mesh(plotter, sheet, name, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, "culling": culling, **look})
     else:
         if sea:
             asked = options
@@ -235,14 +236,18 @@ def _finish_map(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, limits: np.
 def _below(sheet: pyvista.DataSet) -> float:
     """A radius below the sheet's flat cells, which are also bent along a diagonal: that of the middle of the longest diagonal."""
     half = 0.5 * _longest_diagonal(sheet)
-    return 0.998 * float(np.sqrt(np.clip(1 - (half / EARTH_RADIUS) ** 2, 0.64, 1))) * EARTH_RADIUS
+    lowest = min(EARTH_RADIUS, np.linalg.norm(_finite(sheet), axis=1).min(initial=EARTH_RADIUS))  # a level of an ocean is below the level of the sea
+    return 0.998 * float(np.sqrt(np.clip(1 - (half / EARTH_RADIUS) ** 2, 0.64, 1))) * lowest
 
 
 def _longest_diagonal(sheet: pyvista.DataSet) -> float:
+    """That of the cells that are drawn: those on land may reach from one sea to a displaced one, as in the grids ORCA of NEMO."""
     points = np.asarray(sheet.points)
     if isinstance(sheet, pyvista.StructuredGrid):
+        marks = sheet.point_data.get("vtkGhostType")
+        points = points if marks is None or follows(sheet) else np.where((np.asarray(marks) & HIDDEN_POINT)[:, None], np.nan, points)
         grid = points.reshape(*[size for size in sheet.dimensions[::-1] if size > 1], 3)
-        sizes = np.linalg.norm(grid[1:, 1:] - grid[:-1, :-1], axis=-1) if grid.ndim == 3 else np.zeros(1)
+        sizes = np.linalg.norm(grid[1:, 1:] - grid[:-1, :-1] + 0 * (grid[1:, :-1] + grid[:-1, 1:]), axis=-1) if grid.ndim == 3 else np.zeros(1)
     else:
         corners, starts = points[sheet.cell_connectivity], np.asarray(sheet.offset)[:-1]
         sizes = np.linalg.norm(np.maximum.reduceat(corners, starts) - np.minimum.reduceat(corners, starts), axis=1) if len(starts) else np.zeros(1)

@@ -35,7 +35,7 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
     mesh, order = structure(reading, air)
     if sum(size > 1 for size in mesh.dimensions) < 2:
         raise GridError(f"The data are a line or a single point, {' x '.join(map(str, mesh.dimensions))} longitudes, latitudes and levels. Keep at least two longitudes and two latitudes, "
-                        "or one of them and two levels, for example ds.sel(lon=slice(FIRST, LAST)).")
+                        f"or one of them and two levels, for example ds.sel(lon=slice(FIRST, LAST)). Plot a line as a curve: ds[{reading.example!r}].squeeze().plot().")
     _warn_of_gaps(mesh, reading)
     for name in chosen(reading, variables):
         add(mesh, name, reading.values(name), order)

@@ -48,8 +48,9 @@ def _lines(dataset: Any) -> set[str]:
 
 
 def _has_cells(dataset: Any, dim: Any) -> bool:
-    """Whether the points are cells of a mesh, of which the file has more than their places."""
-    return any(dim in variable.dims and ("cf_role" in variable.attrs or len(variable.dims) == 2 and str(name).endswith(("_bnds", "_bounds", "_vertices"))) for name, variable in dataset.variables.items())
+    """Whether the points are cells of a mesh, of which the file has more than their places. Cells with four corners may be those of a row."""
+    has_corners = lambda name, variable: variable.ndim == 2 and str(name).endswith(("_bnds", "_bounds", "_vertices")) and variable.shape[-1] != 4  # noqa: E731
+    return any(dim in variable.dims and ("cf_role" in variable.attrs or has_corners(name, variable)) for name, variable in dataset.variables.items())
 
 
 def is_line(places: np.ndarray) -> bool:
