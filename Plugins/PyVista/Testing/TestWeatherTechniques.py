@@ -6,7 +6,9 @@ import unittest
 import nephoscope
 import numpy as np
 import pyvista
+import xarray as xr
 from TestWeatherMeshes import mpas
+from weather_data import isothermal
 
 BAND = np.radians(20)  # half its width; clouds at the equator alone
 
@@ -51,6 +53,54 @@ class Techniques(unittest.TestCase):
 
     def test_streaks(self):
         self.assertGreater(np.count_nonzero(picture(lambda plotter: nephoscope.add_splats(plotter, self.mesh, "cloud", vectors="DisplayVelocity", show_scalar_bar=False)) > 20), 50)
+
+
+class FromDatasets(unittest.TestCase):
+    """Functions that take a dataset in place of a mesh: what `plot` draws besides the field."""
+
+    def drawn(self, dataset, function, *args, **options):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(100, 100), **options)
+        self.addCleanup(plotter.close)
+        function(plotter, dataset, *args)
+        return plotter
+
+    def test_titles_have_units(self):
+        data = isothermal(np.arange(0, 40, 5.0), np.arange(20, 60, 5.0))
+        data["ta"].attrs["long_name"] = "Temperature"
+        data["u"] = data.ta.dims, np.arange(data.ta.size, dtype=float).reshape(data.ta.shape), {"units": "m s-1", "standard_name": "eastward_wind"}
+        data["v"] = data.ta.dims, np.arange(data.ta.size, dtype=float).reshape(data.ta.shape), {"units": "m s-1", "standard_name": "northward_wind"}
+        flat = xr.Dataset({"ql": (("z", "y", "x"), np.arange(64.0).reshape(4, 4, 4), {"units": "g kg-1", "long_name": "liquid water"})},
+                          {letter: (letter, np.arange(4.0), {"units": "m"}) for letter in "xyz"})
+        for function in (nephoscope.add_cells, nephoscope.add_splats):
+            for dataset, args, title in ((data, ("ta",), "Temperature [K]"), (data.ta, (), "Temperature [K]"), (data, ("u",), "eastward wind [m s-1]"), (flat, ("ql",), "Liquid water [g kg-1]"),
+                                         (data, ("Wind",), "Wind Magnitude [m s-1]"), (data.nephoscope.mesh(), ("ta",), "ta")):
+                with self.subTest(function=function.__name__, title=title):
+                    (bar,) = self.drawn(dataset, function, *args).scalar_bars.values()
+                    self.assertEqual(bar.GetTitle().lower(), title.lower())
+        (bar,) = self.drawn(data, lambda plotter, one: nephoscope.add_cells(plotter, one, "ta", scalar_bar_args={"title": "mine"})).scalar_bars.values()
+        self.assertEqual(bar.GetTitle(), "mine")
+
+    def test_the_earth_is_below(self):
+        data = isothermal(np.arange(0, 40, 5.0), np.arange(20, 60, 5.0))
+        for function in (nephoscope.add_cells, nephoscope.add_splats):
+            plotter = self.drawn(data, function, "ta")
+            self.assertEqual(len(plotter.renderer.actors), 3)  # with the scalar bar
+            self.assertEqual(plotter.background_color, pyvista.Color("black"))
+            function(plotter, data, "ta")
+            self.assertEqual(len(plotter.renderer.actors), 4)
+            plotter = self.drawn(data, function, "ta", theme=pyvista.themes.ParaViewTheme())
+            self.assertEqual(len(plotter.renderer.actors), 3)
+            self.assertEqual(plotter.background_color, pyvista.themes.ParaViewTheme().background)
+            self.assertEqual(len(self.drawn(data, function, "ta", shape=(1, 2)).renderer.actors), 4)  # with the border
+            self.assertEqual(len(self.drawn(data.nephoscope.mesh(), function, "ta").renderer.actors), 2)
+            for side in (1, -1):  # the Earth does not hide them
+                cap = isothermal(np.arange(0, 360, 10.0), side * np.arange(10, 81, 10.0))
+                self.assertGreater(side * self.drawn(cap, function, "ta").camera.position[2], 0)
+        with self.assertRaises(ValueError):
+            plotter = pyvista.Plotter(off_screen=True)
+            self.addCleanup(plotter.close)
+            nephoscope.add_cells(plotter, data, "none")
+        self.assertFalse(plotter.renderer.actors)
 
 
 if __name__ == "__main__":

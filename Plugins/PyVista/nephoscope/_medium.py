@@ -444,10 +444,12 @@ def readable(colour: pyvista.Color, background: pyvista.Color) -> pyvista.Color:
     return colour if abs(back - text) >= READABLE else pyvista.Color("black" if back > 0.5 else "white")
 
 
-def _add_bar(plotter: pyvista.BasePlotter, mapper: MediumMapper, title: str, table: pyvista.LookupTable | None, options: dict) -> None:
+def _add_bar(plotter: pyvista.BasePlotter, mapper: MediumMapper, title: str, words: str, table: pyvista.LookupTable | None, options: dict) -> None:
     annotated = table is not None and table.GetNumberOfAnnotatedValues() > 0
     upright = {"vertical": True} if annotated else {}
     bar = add_bar(plotter, **{"title": title, "color": text_colour(plotter), **upright, **options, "mapper": mapper})
+    if bar is not None and "title" not in options:
+        bar.SetTitle(words)
     if bar is None or table in (None, mapper.lookup_table):
         return
     bar.SetLookupTable(table)
@@ -457,8 +459,9 @@ def _add_bar(plotter: pyvista.BasePlotter, mapper: MediumMapper, title: str, tab
 
 
 def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista.VolumeProperty, title: str, *, user_matrix: Any,
-               bar_table: pyvista.LookupTable | None = None, show_scalar_bar: bool | None, scalar_bar_args: dict | None, **actor_options: Any) -> pyvista.Volume:
-    """Adds the volume and its scalar bar to the plotter. `bar_table`: the colours of the bar, if they are not those of the mapper."""
+               words: str | None = None, bar_table: pyvista.LookupTable | None = None, show_scalar_bar: bool | None, scalar_bar_args: dict | None, **actor_options: Any) -> pyvista.Volume:
+    """Adds the volume and its scalar bar to the plotter. `words`: the title of the bar, if it is not `title`, by which PyVista knows it. `bar_table`: the colours of the bar,
+    if they are not those of the mapper."""
     warn_of_other_frames(plotter, mapper.dataset)
     warn_when_drawing(mapper)
     volume = MediumVolume()
@@ -472,5 +475,5 @@ def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista
     warn_when_exported(plotter)
     plotter.mapper = mapper  # as in add_volume: later calls without a mapper refer to the last one added
     if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
-        _add_bar(plotter, mapper, title, bar_table, scalar_bar_args or {})
+        _add_bar(plotter, mapper, title, title if words is None else words, bar_table, scalar_bar_args or {})
     return volume

@@ -12,6 +12,7 @@ from . import vtkCellCompositingMapper
 from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
 from ._fields import FLAT_GRID
+from ._from_xarray import add_earth_for, darken_for, title_with_units
 from ._layers import Layers
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
@@ -74,7 +75,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     grid : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray
         Tetrahedra, hexahedra, voxels, wedges, pyramids or convex polyhedra, structured or not. A MultiBlock is combined into one grid with
         coincident points merged; blocks without 3-D cells or without the requested arrays are skipped, with a warning. A 3-D numpy array becomes
-        an ImageData, data of xarray become the mesh of ``dataset.nephoscope.mesh()``.
+        an ImageData, data of xarray become the mesh of ``dataset.nephoscope.mesh()``, with true heights; the scalar bar then has the
+        name and the unit of the field and, if they are on a globe and the sub-plot is empty, the Earth is drawn below them.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Masked values count as missing. Default: the active scalars, otherwise the first numeric
         array, otherwise vectors; none if `color` is given or the grid has no arrays. Unlike `add_volume`, this does not change `grid`.
@@ -206,6 +208,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     >>> nephoscope.add_cells(plotter, clouds, scalars="cloud_fraction", cmap=["white", "white"])  # doctest: +SKIP
     """
     require_plotter(plotter)
+    data = grid
     surfaces = group("contours", contours, Contours, "values", old, CONTOUR_NAMES)
     painted = group("polygons", polygons, Polygons, "which", old, POLYGON_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
@@ -224,6 +227,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     if uniform:
         scalars, clim, preference = np.ones(grid.n_cells), (0, 1), "cell"
     grid, array_name, association = scalar_array(grid, scalars, preference, component)
+    darken_for(plotter, data, grid)
     mapper = CellCompositingMapper()
     has_own_opacity = (any(one is not None for one in (opacity, opacity_scalars, opacity_unit_distance, layers)) or opacity_scale != 1
                        or isinstance(cmap, pyvista.LookupTable))
@@ -248,7 +252,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     bar = (mapper.lookup_table, title_of_scalars(grid, array_name, association, component))
     if layers is not None and (bar := divided.bar(mapper, grid, array_name, surfaces.scalars or array_name, bar[1])) is None:
         show_scalar_bar, bar = False, (mapper.lookup_table, "")
-    return add_medium(plotter, mapper, prop, bar[1], bar_table=bar[0], user_matrix=user_matrix, show_scalar_bar=show_scalar_bar, scalar_bar_args=scalar_bar_args,
+    add_earth_for(plotter, data, grid, array_name)
+    words = title_with_units(data, grid, array_name, bar[1]) if layers is None else None
+    return add_medium(plotter, mapper, prop, bar[1], words=words, bar_table=bar[0], user_matrix=user_matrix, show_scalar_bar=show_scalar_bar, scalar_bar_args=scalar_bar_args,
                       reset_camera=reset_camera, name=name, pickable=pickable, render=render)
 
 

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkS
 from . import vtkTexturedSplatMapper
 from ._checks import choose, renamed_argument, require_beside_scalars, require_number
 from ._copies import copied_table
+from ._from_xarray import add_earth_for, darken_for, title_with_units
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
 from ._uniform import FAINTER, concentration, is_bare, uniform_colours
@@ -127,7 +128,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset, xarray.DataArray or numpy.ndarray
         Any dataset with points, including particles as a PolyData or an array of shape (n, 3). Blocks are combined into one dataset, whose
         splats are balls. Surface blocks next to blocks of 3-D cells, and blocks without the requested arrays, are skipped, with a warning. Data
-        of xarray become the mesh of ``dataset.nephoscope.mesh()``. It is not changed.
+        of xarray are drawn as by `add_cells`. It is not changed.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values for all points or all cells; masked values count as missing. A cell array makes one splat per cell. Default: the active scalars,
         otherwise the first numeric array, otherwise vectors; none if `color` is given or the mesh has no arrays.
@@ -247,6 +248,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     >>> volume.mapper.phase = 0.25  # doctest: +SKIP
     """
     require_plotter(plotter)
+    data = mesh
     streaks = group("vectors", vectors, Vectors, "array", old, VECTOR_NAMES)
     detail = group("level_of_detail", level_of_detail, LevelOfDetail, "tolerance", old, DETAIL_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
@@ -268,6 +270,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
             scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"
     given = mesh
     mesh, array_name, association = scalar_array(mesh, scalars, preference, component)
+    darken_for(plotter, data, mesh)
     if opacity_scalars is not None:
         require_beside_scalars(mesh, opacity_scalars, association, "opacity_scalars")
     mapper = TexturedSplatMapper()
@@ -283,7 +286,9 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     streaks.suit(mapper, plotter, prop, given)
     if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
         show_scalar_bar = False  # nothing uses its colours
-    volume = add_medium(plotter, mapper, prop, title_of_scalars(mesh, array_name, association, component), user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
+    title = title_of_scalars(mesh, array_name, association, component)
+    add_earth_for(plotter, data, mesh, array_name)
+    volume = add_medium(plotter, mapper, prop, title, words=title_with_units(data, mesh, array_name, title), user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                         scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
     if shows_bars:
         streaks.add_bar(plotter, scalar_bar_args)

@@ -102,7 +102,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         title = lambda array: f"{of_volume(array)}\nlowest level"  # noqa: E731
     flat = cell_dimension(grid) < 3
     sea = not flat and is_sea(grid)
-    (_add_globe if on_globe else _add_map)(plotter, grid, flat, sea)
+    add_earth(plotter, grid)
     options = {"scalar_bar_args": BESIDE if on_globe else BELOW, **options}
     if flat:  # one level
         refuse_volume(options)
@@ -133,6 +133,13 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         make_room(plotter, as_high=True)
 
 
+def turn_to_field(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str) -> None:
+    """Turns the camera to the side of a globe that `draw` shows; what has been drawn is in the middle of the picture."""
+    look_down(plotter, grid, _seen(grid), name, None)
+    plotter.camera.SetWindowCenter(0, 0)
+    plotter.reset_camera(render=False)
+
+
 def refuse_volume(options: dict) -> None:
     """Raises ValueError for options that a surface does not have."""
     wrong = [name for name in VOLUME if name in options]
@@ -145,6 +152,12 @@ def refuse_sections(grid: pyvista.DataSet) -> None:
     for kind, size in zip(("longitude", "latitude"), getattr(grid, "dimensions", ())):
         if size == 1:
             raise GridError(section(kind, "lon" if kind == "longitude" else "lat"))
+
+
+def add_earth(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> None:
+    """The Earth below the data, with coasts above those that hide it."""
+    flat = cell_dimension(grid) < 3
+    (_add_map if is_map(grid) else _add_globe)(plotter, grid, flat, not flat and is_sea(grid))
 
 
 def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: bool) -> None:
