@@ -12,6 +12,7 @@ import pyvista
 from . import vtkCloudOptics
 from ._checks import arrays_of, choose, require_number
 from ._fields import FLAT_GRID
+from ._cloud_water import optics_of_fraction
 from ._medium import one_mesh
 from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh
@@ -53,7 +54,7 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
         Temperature (K, or °C if its units say so), pressure (Pa or hPa), cloud fraction and land fraction (0 to 1), height (m). Without a pressure array,
         the pressure is in hydrostatic balance with the heights of a structured grid, and for other meshes that of the standard atmosphere at their
         heights. In a mesh of ``dataset.nephoscope.grid()``, potential temperature and density are used too, z is the height, and the standard atmosphere
-        gives what is missing, with a warning.
+        gives what is missing, with a warning. If there is a cloud fraction, but no water, clouds have the water that is usual at their height, with a warning.
     units : {"automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"}, default: "automatic"
         Units of the water. Automatic: those in the file, otherwise kg/kg.
     liquid_radius, ice_radius : float, optional
@@ -82,7 +83,7 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
     RuntimeWarning
         If water has negative or missing values.
     UserWarning
-        If the standard atmosphere gives the temperature or the pressure.
+        If the standard atmosphere gives the temperature or the pressure, or the cloud fraction the water.
     """
     options = dict(locals())
     return optics_of(options.pop("mesh"), str, **options)
@@ -91,6 +92,18 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
 def optics_of(mesh: pyvista.DataSet, say: Callable[[str], str], **options: Any) -> pyvista.DataSet:
     """`cloud_optics`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
     mesh = one_mesh(mesh)
+    try:
+        return _optics(mesh, say, **options)
+    except RuntimeError as problem:
+        if "There is no array of cloud water" not in str(problem):
+            raise
+        found = optics_of_fraction(mesh, options, lambda other, **given: _optics(other, say, **given))
+        if found is None:
+            raise
+        return found
+
+
+def _optics(mesh: pyvista.DataSet, say: Callable[[str], str], **options: Any) -> pyvista.DataSet:
     if FLAT_GRID not in mesh.field_data or options["height"]:
         return _filtered(mesh, say, **options)
     air = FlatAir(mesh)

@@ -24,10 +24,10 @@ def blue_marble() -> str:
         return ""
 
 
-def add_ground(plotter: pyvista.BasePlotter, surface: pyvista.DataSet, render: bool = True) -> None:
+def add_ground(plotter: pyvista.BasePlotter, surface: pyvista.DataSet, render: bool = True) -> pyvista.Actor:
     path = blue_marble()
     options = {"texture": pyvista.read_texture(path), "color": DIMMED} if path else {"color": PLAIN}
-    plotter.add_mesh(surface, lighting=True, render=render, **options)
+    return plotter.add_mesh(surface, lighting=True, render=render, **options)
 
 
 def map_ground(edges: tuple[float, float, float, float], radius: float, height: float) -> pyvista.PolyData:

@@ -23,6 +23,7 @@ from .lowest import LOWEST, fills_the_air, lowest_level
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .scales import EAST, NORTH, add_scales
 from .sea import is_sea, look_of_water
+from .shadows import shade
 from .view import Frame, is_place, picture_theme, set_view, size_of
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
@@ -102,7 +103,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         title = lambda array: f"{of_volume(array)}\nlowest level"  # noqa: E731
     flat = cell_dimension(grid) < 3
     sea = not flat and is_sea(grid)
-    add_earth(plotter, grid)
+    earth = add_earth(plotter, grid)
     options = {"scalar_bar_args": BESIDE if on_globe else BELOW, **options}
     if flat:  # one level
         refuse_volume(options)
@@ -117,7 +118,9 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
             asked = options
             options = look_of_water(grid, name, options, VOLUME)
             title = with_share(title, grid, name, association_of(grid, name, "point", "scalars"), asked, options)
-        add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
+        volume = add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
+        if "sun" in options and earth is not None:
+            shade(earth, volume.mapper.dataset)
     finish_bars(plotter, title)
     limits = None if on_globe else _limits_of_map(grid)
     if limits is not None:
@@ -154,35 +157,37 @@ def refuse_sections(grid: pyvista.DataSet) -> None:
             raise GridError(section(kind, "lon" if kind == "longitude" else "lat"))
 
 
-def add_earth(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> None:
-    """The Earth below the data, with coasts above those that hide it."""
+def add_earth(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> pyvista.Actor | None:
+    """The Earth below the data, with coasts above those that hide it. Returns its surface; None if the data have no place."""
     flat = cell_dimension(grid) < 3
-    (_add_map if is_map(grid) else _add_globe)(plotter, grid, flat, not flat and is_sea(grid))
+    return (_add_map if is_map(grid) else _add_globe)(plotter, grid, flat, not flat and is_sea(grid))
 
 
-def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: bool) -> None:
+def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: bool) -> pyvista.Actor:
     radii = np.linalg.norm(_finite(grid), axis=1)
     lowest = radii.min(initial=EARTH_RADIUS) if sea else EARTH_RADIUS
     coarse = None if flat or not isinstance(grid, pyvista.StructuredGrid) else grid
     ground = globe_surface(radius=_below(grid) if flat else lowest, below=coarse)
     ground.field_data["PlanetRadius"] = grid.field_data.get("PlanetRadius", [EARTH_RADIUS])  # although it is lower
-    add_ground(plotter, ground)
+    actor = add_ground(plotter, ground)
     if (flat or sea) and radii.size:
         add_coasts(plotter, globe_coasts(1.001 * radii.max()))
+    return actor
 
 
-def _add_map(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: bool) -> None:
+def _add_map(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea: bool) -> pyvista.Actor | None:
     points = _finite(grid)
     if not points.size:
-        return
+        return None
     (west, south, bottom), (east, north, top) = points.min(axis=0), points.max(axis=0)
     step = 0.001 * max(east - west, north - south)
     ground = bottom - step if flat or sea else 0.0
     radius = planet_radius(grid)
     edges = tuple(np.degrees(np.array([west, east, south, north]) / radius))
-    add_ground(plotter, map_ground(edges, radius, ground))
+    actor = add_ground(plotter, map_ground(edges, radius, ground))
     if flat or sea:
         add_coasts(plotter, map_coasts(edges, radius, top + step))
+    return actor
 
 
 def _finite(grid: pyvista.DataSet) -> np.ndarray:
