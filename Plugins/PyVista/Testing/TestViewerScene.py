@@ -10,6 +10,7 @@ import time
 import unittest
 from dataclasses import replace
 from pathlib import Path
+from unittest import mock
 
 import nephoscope
 import numpy as np
@@ -23,6 +24,7 @@ from nephoscope.serving import save_time_while_moving  # noqa: E402
 from nephoscope.viewer_page import camera_after, moved_away  # noqa: E402
 from nephoscope.viewer_scene import Scene, camera_of, draw  # noqa: E402
 from nephoscope.viewer_state import View, checked  # noqa: E402
+from nephoscope.weather.accessor import WeatherAccessor  # noqa: E402
 
 FORECAST = Path(os.environ["NEPHOSCOPE_DATA"], "forecast_10deg_6h.nc")
 
@@ -182,7 +184,10 @@ class Files(unittest.TestCase):
         data = xr.Dataset({name: (tuple(places), wind, {"units": "m s**-1", "standard_name": f"{way}ward_wind"}) for name, way in (("u", "east"), ("v", "north"))}, places)
         for name in ("months.nc", "months"):
             data.to_netcdf(self.folder / name)
-            scene = Scene(self.folder / name)
+            with mock.patch.object(WeatherAccessor, "globe", autospec=True, side_effect=WeatherAccessor.globe) as globe:
+                scene = Scene(self.folder / name)
+                scene.grid(View())
+            self.assertEqual(globe.call_count, 1)  # the first step is read once
             self.assertEqual((scene.choices.globe, scene.choices.terrain, scene.choices.times), (True, False, ("1", "7")))
             self.assertEqual(scene.choices.techniques, ("cells", "splats", "surface", "winds", "smoke"))
             self.assertGreater(np.abs(self.picture(scene, time=1, field="u") - self.picture(scene, field="u")).max(), 5)

@@ -16,6 +16,7 @@ from ._medium import wrapped
 from .globe import to_globe
 from .reader import cf_shapes, cf_times, read_cf
 from .sparse import read_vdb
+from .viewer_state import View
 from .weather.foreign import ENDINGS, first_bytes, format_of, refusal
 
 NETCDF = (".nc", ".nc4", ".cdf", ".netcdf")
@@ -74,9 +75,10 @@ class WeatherFile:
         from .weather.times import listed_times
         self._dataset = open(path)
         self.times = tuple(listed_times(self._dataset))
-        self.is_globe = "GlobeGridProjection" in self.grid(0, 1.0).field_data
+        self.grid = lru_cache(KEPT)(self._grid)
+        self.is_globe = "GlobeGridProjection" in self.grid(0, View().exaggeration).field_data  # as the first picture has it
 
-    def grid(self, time: int, exaggeration: float) -> pyvista.DataSet:
+    def _grid(self, time: int, exaggeration: float) -> pyvista.DataSet:
         """Like `MeshFile.grid`; heights of a flat grid are not exaggerated."""
         accessor = self._dataset.nephoscope
         return accessor.mesh(**({"time": time} if self.times else {}), vertical_exaggeration=1.0 if accessor._is_flat({}) else exaggeration)

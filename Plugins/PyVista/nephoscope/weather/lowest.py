@@ -10,7 +10,7 @@ import pyvista
 
 from .._fields import preset_of_field
 from ..globe import is_map, planet_radius
-from .prisms import HIDDEN_CELL, HIDDEN_POINT, are_columns, bases, size_of_level
+from .prisms import HIDDEN_CELL, HIDDEN_POINT, LEVEL_SIZE, bases
 from .sea import is_sea
 
 LOWEST = "LowestLevel"  # field array of such a level
@@ -19,7 +19,7 @@ FILLING = ("temperature",)  # presets of such fields
 
 def fills_the_air(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
     """Whether a picture of the array `name` of a volume is better one of its lowest level, unless one of the `options` is `of_volumes` or the opacity. A structured grid has the array on points."""
-    has_levels = min(grid.dimensions) > 1 and name in grid.point_data if isinstance(grid, pyvista.StructuredGrid) else are_columns(grid)
+    has_levels = min(grid.dimensions) > 1 and name in grid.point_data if isinstance(grid, pyvista.StructuredGrid) else LEVEL_SIZE in grid.field_data
     return has_levels and not is_sea(grid) and is_filling(grid, name, options, of_volumes)
 
 
@@ -36,7 +36,7 @@ def lowest_level(grid: pyvista.StructuredGrid | pyvista.UnstructuredGrid, name: 
     `grid`: structured, with the array on points, or as `place_columns` makes it."""
     on_points = name in grid.point_data
     data, mark = (grid.point_data, HIDDEN_POINT) if on_points else (grid.cell_data, HIDDEN_CELL)
-    points, cells = (grid.dimensions[0] * grid.dimensions[1], 0) if isinstance(grid, pyvista.StructuredGrid) else size_of_level(grid)
+    points, cells = (grid.dimensions[0] * grid.dimensions[1], 0) if isinstance(grid, pyvista.StructuredGrid) else map(int, grid.field_data[LEVEL_SIZE])
     columns = np.arange(points if on_points else cells)
     values = np.asarray(data[name]).reshape(-1, len(columns))
     hidden = np.asarray(data.get("vtkGhostType", np.zeros(values.size, np.uint8))).reshape(values.shape) & mark > 0
@@ -47,6 +47,8 @@ def lowest_level(grid: pyvista.StructuredGrid | pyvista.UnstructuredGrid, name: 
     (sheet.point_data if on_points else sheet.cell_data)[name] = np.where(there.any(axis=0), values[first, columns], np.nan)
     sheet.GetFieldData().ShallowCopy(grid.GetFieldData())
     sheet.field_data[LOWEST] = [1]
+    if LEVEL_SIZE in sheet.field_data:
+        sheet.field_data.remove(LEVEL_SIZE)
     return sheet
 
 

@@ -20,6 +20,7 @@ from .winds import winds
 
 HIDDEN_CELL, HIDDEN_POINT = 32, 2  # vtkDataSetAttributes
 LARGEST = 6  # maximum number of sides of a VTK prism; larger polygons are divided
+LEVEL_SIZE = "SizeOfLevel"  # field array of columns of two levels at least: the numbers of points and of cells in a level
 POLYGON = 7  # VTK_POLYGON
 TYPES = {3: 13, 4: 12, 5: 15, 6: 16}  # VTK_WEDGE, VTK_HEXAHEDRON, VTK_PENTAGONAL_PRISM, VTK_HEXAGONAL_PRISM
 
@@ -108,24 +109,11 @@ def columns(corners: np.ndarray, faces: np.ndarray, heights: np.ndarray, radius:
         places.append((here[None] + len(faces) * np.arange(layers)[:, None]).ravel())
     grid = pyvista.UnstructuredGrid()
     grid.points = points
+    if layers > 0:
+        grid.field_data[LEVEL_SIZE] = [sheet, int(np.count_nonzero(count > 2))]
     connections, starts, types = _in_order(cells, types, places)
     grid.SetCells(numpy_to_vtk(types, deep=True, array_type=VTK_UNSIGNED_CHAR), pyvista.CellArray.from_arrays(starts, connections, deep=True))
     return grid
-
-
-def are_columns(grid: pyvista.DataSet) -> bool:
-    """Whether the grid is one that `columns` made, of two levels at least."""
-    if not isinstance(grid, pyvista.UnstructuredGrid) or not grid.n_cells or "GlobeGridProjection" not in grid.field_data or not np.isin(grid.celltypes, list(TYPES.values())).all():
-        return False
-    points, cells = size_of_level(grid)
-    return points > 0 and grid.n_points % points == 0 and grid.n_points > points and grid.n_cells == cells * (grid.n_points // points - 1)
-
-
-def size_of_level(grid: pyvista.UnstructuredGrid) -> tuple[int, int]:
-    """The numbers of points and cells in a level of the grid that `columns` made."""
-    first = grid.cell_connectivity[:grid.offset[1]]
-    points = int(first[len(first) // 2] - first[0])  # between a corner and the one above it
-    return points, grid.n_cells // max(grid.n_points // points - 1, 1) if points > 0 else 0
 
 
 def bases(grid: pyvista.UnstructuredGrid, cells: int, points: np.ndarray) -> pyvista.UnstructuredGrid:
