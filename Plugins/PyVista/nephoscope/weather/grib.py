@@ -20,6 +20,7 @@ from .._pipeline import level_of_caller
 from .extras import need
 
 MISSING = 9.999e35
+ELSEWHERE = ("unstructured_grid", "healpix")  # grids whose places are in a file of the mesh, or follow from their numbers
 LISTED_GRIDS = 8  # in a message
 COMPARED_GRIDS = 32  # more are not compared point by point
 LEVEL_UNITS = {"isobaricInhPa": ("hPa", "down"), "isobaricInPa": ("Pa", "down"), "heightAboveGround": ("m", "up"), "heightAboveSea": ("m", "up"), "hybrid": ("1", "down"),
@@ -248,6 +249,9 @@ class Grid:
             self.alternates = bool(_get(ec, handle, "alternativeRowScanning", 0))
             self.shape = (size,) if self.is_list else (rows, columns)
         self.latitude, self.longitude = (None if values is None else self._rows(np.asarray(values)) for values in _places(path, message))
+        if self.latitude is None and self.kind not in ELSEWHERE:
+            raise GribError(f"{path}: eccodes finds no longitudes and latitudes of this grid (gridType {self.kind}): it does not know the type, or the header contradicts itself. "
+                            f"Interpolate the fields to another grid, for example wgrib2 {path.name} -new_grid_winds earth -new_grid latlon 0:360:1 -90:181:1 OUT.")
         self.is_regular = self.kind in ("regular_ll", "regular_gg", "mercator") and not self.is_list
         self.dims = ("values",) if self.is_list else ("latitude", "longitude") if self.is_regular else ("y", "x")
 
@@ -268,8 +272,16 @@ class Grid:
             return {}
         degrees = {"latitude": {"units": "degrees_north", "standard_name": "latitude"}, "longitude": {"units": "degrees_east", "standard_name": "longitude"}}
         if self.is_regular:
-            return {"latitude": (("latitude",), self.latitude[:, 0], degrees["latitude"]), "longitude": (("longitude",), self.longitude[0], degrees["longitude"])}
+            return {"latitude": (("latitude",), self._even(self.latitude[:, 0]), degrees["latitude"]), "longitude": (("longitude",), self.longitude[0], degrees["longitude"])}
         return {name: (self.dims, getattr(self, name), degrees[name]) for name in degrees}
+
+    def _even(self, latitudes: np.ndarray) -> np.ndarray:
+        """Evenly spaced from the first to the last, if the increment in the header contradicts these."""
+        even = np.linspace(latitudes[0], latitudes[-1], len(latitudes))
+        if self.kind != "regular_ll" or len(even) < 3 or np.abs(latitudes - even).max() < 0.5 * abs(even[1] - even[0]):
+            return latitudes
+        warnings.warn(f"The increment of latitudes in the header is not that of {len(even)} rows from {even[0]:g} to {even[-1]:g}: they are taken as evenly spaced.", UserWarning, stacklevel=level_of_caller())
+        return even
 
 
 # Fields

@@ -3,14 +3,17 @@
 """The first picture of a dataset, in one line: which of its parts is drawn, how much heights are exaggerated, and which kind of picture suits it."""
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Callable
 
 import numpy as np
 import pyvista
 
+from .._medium import default_scalars
 from .accessor import FLAT, GLOBE, LOOK_OF_PLOT, WeatherAccessor
 from .exaggeration import USUAL, suited
+from .filled import is_sparse, on_own_levels, step_with_values
 from .flat_picture import plotted_flat, plotted_section
 from .in_the_sun import sun_of
 from .naming import refuse_unknown, title
@@ -71,11 +74,27 @@ def _plotted_globe(asked: Plot) -> pyvista.Plotter:
     found, options = asked.accessor._of_field(asked.scalars, asked.time, asked.options)
     options = asked.options if asked.is_lit else options
     grid = _suited(lambda factor: asked.accessor.globe(time=asked.time, vertical_exaggeration=factor, **options), USUAL, asked.exaggeration)
+    if not asked.is_lit and (parts := _filled(asked, grid, found, options)) is not None:
+        return plotted(parts)
     look = asked.look
     if asked.is_lit:
         look, found = {**look, "sun": sun_of(look["sun"], asked.accessor._reading(asked.time, asked.options), grid)}, None
     draw = plotted_section if axis_of_section(grid) else plotted_globe
     return draw(grid, found, asked.frame, look, asked.title(grid))
+
+
+def _filled(asked: Plot, grid: pyvista.DataSet, found: str | None, options: dict[str, Any]) -> Plot | None:
+    """What to plot in place of `asked` where the field has no values at the first time, or not on all levels; None if it has."""
+    name = default_scalars(grid)[1] if found is None else found
+    if not is_sparse(grid, name):
+        return None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of which the mesh has told
+        reading = asked.accessor._reading(asked.time, options)
+    if asked.time is None and (step := step_with_values(asked.dataset, reading, name)) is not None:
+        return replace(asked, scalars=name, time=step)
+    levels = on_own_levels(asked.dataset, reading, name)
+    return None if levels is None else replace(asked, scalars=name, dataset=levels)
 
 
 def _plotted_flat(asked: Plot) -> pyvista.Plotter:
