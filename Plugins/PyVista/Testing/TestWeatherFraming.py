@@ -56,6 +56,16 @@ class Framing(unittest.TestCase):
         drawn = next(mesh for mesh in meshes if {"qc", "tracer"} & set(mesh.array_names))
         return float(np.ravel(drawn.field_data.get("VerticalExaggeration", [1]))[0])
 
+    def test_levels_of_regions_of_all_sizes_are_seen(self):
+        """VTK cuts what is nearer than a thousandth of the distance to the far side of the Earth."""
+        for name in ("tower", "hills", "valley", "country", "continent"):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                path = Path(folder, "picture.png")
+                self.addCleanup(region(*GLOBE[name][0]).isel(level=0).nephoscope.plot(cmap=["red", "red"], screenshot=str(path), window_size=(100, 100)).close)
+                picture = pyvista.read(path)["PNGImage"].reshape(100, 100, -1)[35:65, 12:42, :3].astype(float)
+                red = (picture[..., 0] > 200) & (picture[..., 1] < 50)
+                self.assertGreater(red.mean(), 0.5)  # but for coasts
+
     def check_filled(self, plotter, mesh, share):
         low, high = (limit(places(plotter, np.asarray(mesh.points)), axis=0) for limit in (np.min, np.max))
         self.assertTrue((low > 0).all() and (high < (LEFT_OF_THE_BAR, 1)).all(), (low, high))

@@ -16,6 +16,7 @@ AMERICA = np.array([0.3, -1.0, 0.35])  # of fields all round the globe
 WIDE, HIGH = 0.8, 0.92  # of the picture, for a region beside the scalar bar
 ABOVE_BAR = (0.85, 0.7)  # the same, above PyVista's scalar bar
 ASIDE = (40.0, 20.0)  # degrees of the camera above the horizon, at least, and from the south to the east, for water
+NEAREST = 0.001  # of the distance of the farthest, VTK's default for the nearest that is seen
 CONCENTRATED = 0.75  # length of the mean direction of a field on one side of the globe; that of one that increases evenly from pole to pole is 2/3
 
 
@@ -89,6 +90,14 @@ def _look_at_part(plotter: pyvista.BasePlotter, points: np.ndarray, middle: np.n
     plotter.camera.focal_point = middle + sideways * east + upwards * upward
     plotter.camera.position = plotter.camera.focal_point + max(distance, other) * towards
     plotter.camera.up = north
+    _see_near(plotter, max(distance, other))
+
+
+def _see_near(plotter: pyvista.BasePlotter, distance: float) -> None:
+    """Lets the camera see what is at this distance before a globe: VTK cuts what is nearer than a thousandth of the farthest, which is 25 km."""
+    share = 0.1 * distance / (distance + 2 * EARTH_RADIUS)
+    if share < NEAREST:
+        plotter.renderer.SetNearClippingPlaneTolerance(share)
     plotter.reset_camera_clipping_range()
 
 
@@ -115,4 +124,4 @@ def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.nd
     plotter.camera.position = centre + upward * size * 4.6
     plotter.camera.up = (0, 0, 1) if abs(upward[2]) < 0.95 else (1, 0, 0)
     plotter.camera.SetWindowCenter(0.08, 0)  # room for the scalar bar
-    plotter.reset_camera_clipping_range()
+    _see_near(plotter, size)

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkProp3D
 from .._bars import add_mesh
 from .._blocks import cell_dimension
 from .._globe_camera import look_down
-from .._medium import association_of, default_scalars
+from .._medium import association_of, default_scalars, diagonal
 from .._over_time import follows
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface, is_map, planet_radius
@@ -171,7 +171,7 @@ def _add_globe(plotter: pyvista.Plotter, grid: pyvista.DataSet, flat: bool, sea:
     ground.field_data["PlanetRadius"] = grid.field_data.get("PlanetRadius", [EARTH_RADIUS])  # although it is lower
     actor = add_ground(plotter, ground)
     if (flat or sea) and radii.size:
-        add_coasts(plotter, globe_coasts(1.001 * radii.max()))
+        add_coasts(plotter, globe_coasts((1 + 0.5 * _gap(grid)) * radii.max()))
     return actor
 
 
@@ -255,7 +255,12 @@ def _below(sheet: pyvista.DataSet) -> float:
     """A radius below the sheet's flat cells, which are also bent along a diagonal: that of the middle of the longest diagonal."""
     half = 0.5 * _longest_diagonal(sheet)
     lowest = min(EARTH_RADIUS, np.linalg.norm(_finite(sheet), axis=1).min(initial=EARTH_RADIUS))  # a level of an ocean is below the level of the sea
-    return 0.998 * float(np.sqrt(np.clip(1 - (half / EARTH_RADIUS) ** 2, 0.64, 1))) * lowest
+    return (1 - _gap(sheet)) * float(np.sqrt(np.clip(1 - (half / EARTH_RADIUS) ** 2, 0.64, 1))) * lowest
+
+
+def _gap(grid: pyvista.DataSet) -> float:
+    """Between the data and the ground below, as a part of the radius: less for a small region, which is seen from near."""
+    return min(0.002, 0.02 * diagonal(grid) / EARTH_RADIUS)
 
 
 def _longest_diagonal(sheet: pyvista.DataSet) -> float:
