@@ -10,6 +10,7 @@ import nephoscope
 import numpy as np
 import pyvista
 import xarray as xr
+from TestWeatherMeshes import icon
 
 HEIGHTS = np.array([500.0, 1500, 3000, 6000, 9000])
 SIZES = (5, 21, 21)
@@ -54,6 +55,26 @@ class CloudFraction(unittest.TestCase):
             warnings.simplefilter("error", UserWarning)
             found = nephoscope.cloud_optics(data.nephoscope.globe(), liquid_radius=10)
         self.assertLess(found["Extinction"].max(), 0.02)
+
+    def test_ice_alone(self):
+        data = forecast()
+        data["ciwc"] = data.cc.dims, 1e-6 * data.cc.values, {"units": "kg kg-1", "standard_name": "mass_fraction_of_cloud_ice_in_air"}
+        with tempfile.TemporaryDirectory() as folder:
+            for sun, told in ((True, False), ({"ice": "none"}, True)):
+                with warnings.catch_warnings(record=True) as caught:
+                    warnings.simplefilter("always")
+                    self.addCleanup(data.nephoscope.plot(sun=sun, screenshot=str(Path(folder, "picture.png")), window_size=(50, 50)).close)
+                self.assertEqual(any("Hack" in str(one.message) for one in caught), told)
+
+    def test_unstructured(self):
+        """ICON's fraction on cells, which has this role by its name."""
+        data = icon()
+        data["clc"] = data["where"].dims, np.broadcast_to(np.array([0, 100.0, 0])[:, None], data["where"].shape), {"units": "%"}
+        with tempfile.TemporaryDirectory() as folder, self.assertWarnsRegex(UserWarning, "Hack"):
+            plotter = data.nephoscope.plot(sun=True, screenshot=str(Path(folder, "picture.png")), window_size=(50, 50))
+        self.addCleanup(plotter.close)
+        volume = next(actor for actor in plotter.renderer.actors.values() if isinstance(actor, pyvista.Volume))
+        self.assertGreater(np.max(volume.mapper.dataset["ScaledExtinction"]), 0)
 
     def test_flat_grids(self):
         axes = {letter: (letter, 100.0 * np.arange(count), {"units": "m"}) for letter, count in zip("zyx", (6, 5, 5))}

@@ -25,8 +25,8 @@ def sun_of(sun: Any, reading: Reading, grid: pyvista.DataSet) -> dict[str, Any]:
     if "water" in given:
         return given
     there = {argument: reading.roles[role] for role, argument in _ARGUMENTS.items() if reading.has(role) and reading.roles[role] in grid.array_names}
-    if not {"liquid", "ice"} & set(there):  # cloud_optics finds them, takes those that are usual for the cloud fraction, or says what it has looked for
-        return {**{name: there[name] for name in ("cloud_fraction",) if name in there}, **given}
+    if not {"liquid", "ice"} & set(there):  # cloud_optics finds them, takes the usual ones of a cloud fraction, or says what it has looked for
+        return given
     absent = {argument: "none" for argument in ("liquid", "ice", "rain", "snow") if argument not in there}
     return {**there, **absent, **given}
 
