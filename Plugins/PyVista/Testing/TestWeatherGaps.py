@@ -5,10 +5,13 @@ import tempfile
 import unittest
 import warnings
 from pathlib import Path
+from unittest import mock
 
 import nephoscope
 import numpy as np
 import pyvista
+import xarray as xr
+from nephoscope.weather.flat import is_flat
 from nephoscope.weather.grib import GribError
 from weather_data import REGULAR, write_grib
 
@@ -60,6 +63,14 @@ class Gaps(unittest.TestCase):
         with self.assertWarnsRegex(UserWarning, "increment of latitudes in the header is not that of 17 rows from 80 to -80"):
             data = nephoscope.open(self.path)
         np.testing.assert_allclose(data.latitude, np.arange(80, -81, -10.0))
+
+    def test_many_variables(self):
+        """Whether x and y are lengths is found without looking at every variable for every other one."""
+        axes = {"latitude": ("latitude", np.arange(3.0), {"units": "degrees_north"}), "longitude": ("longitude", np.arange(4.0), {"units": "degrees_east"})}
+        data = xr.Dataset({f"v{number}": (("latitude", "longitude"), np.zeros((3, 4))) for number in range(100)}, axes)
+        with mock.patch.object(xr.Dataset, "__getitem__", autospec=True, side_effect=xr.Dataset.__getitem__) as look:
+            self.assertFalse(is_flat(data))
+        self.assertLess(look.call_count, 1000)
 
     def test_grids_without_places(self):
         write_grib(self.path, [("2t", "heightAboveGround", 2, 280.0)], REGULAR)

@@ -51,8 +51,9 @@ class Axis:
 
 def _coordinates(dataset, dim: str) -> list:
     """Numeric variables along this dimension only; that with its name comes first."""
-    names = [dim] * (dim in dataset.variables) + [name for name in dataset.variables if name != dim and dataset[name].dims == (dim,)]
-    return [dataset[name] for name in names if dataset[name].dtype.kind in "fiu"]
+    variables = dataset.variables  # `dataset[name]` looks at all coordinates, which takes long in files of many variables
+    names = [dim] * (dim in variables) + [name for name in variables if name != dim and variables[name].dims == (dim,)]
+    return [dataset[name] for name in names if variables[name].dtype.kind in "fiu"]
 
 
 def _letter(dim: str, coordinate) -> str | None:
@@ -102,9 +103,10 @@ def _other_dims(dataset) -> set[str]:
 def is_flat(dataset) -> bool:
     """True if the horizontal axes of the fields are lengths, and no longitude, latitude or projection places them on the Earth."""
     other = _other_dims(dataset)
+    lengths = {str(dim): _length_of(dataset, str(dim)) for dim in dataset.sizes if dim not in other}
     for name, variable in fields_of(dataset):
         dims = [str(dim) for dim in variable.dims if dim not in other]
-        letters = [found[0] for dim in dims if (found := _length_of(dataset, dim))]
+        letters = [found[0] for dim in dims if (found := lengths[dim])]
         if len(set(letters)) < 2 or len(set(letters)) < len(letters):
             continue
         if mapping_of(dataset, variable) or variable.attrs.get("grid_mapping") or find_lost_projection(dataset, variable, dims)[0]:
