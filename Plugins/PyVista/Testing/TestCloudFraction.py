@@ -76,6 +76,12 @@ class CloudFraction(unittest.TestCase):
         volume = next(actor for actor in plotter.renderer.actors.values() if isinstance(actor, pyvista.Volume))
         self.assertGreater(np.max(volume.mapper.dataset["ScaledExtinction"]), 0)
 
+    def test_from_the_humidity(self):
+        data = forecast()
+        data["r"] = data.cc.dims, 100 * data.cc.values, {"units": "%", "standard_name": "relative_humidity"}
+        with tempfile.TemporaryDirectory() as folder, self.assertWarnsRegex(UserWarning, "Hack"):
+            data.drop_vars("cc").nephoscope.plot("cloud_fraction", sun=True, screenshot=str(Path(folder, "picture.png")), window_size=(50, 50)).close()
+
     def test_flat_grids(self):
         axes = {letter: (letter, 100.0 * np.arange(count), {"units": "m"}) for letter, count in zip("zyx", (6, 5, 5))}
         data = xr.Dataset({"cloud_fraction": (("z", "y", "x"), np.ones((6, 5, 5)), {"units": "1"})}, axes)

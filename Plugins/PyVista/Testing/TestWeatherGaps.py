@@ -64,6 +64,13 @@ class Gaps(unittest.TestCase):
             data = nephoscope.open(self.path)
         np.testing.assert_allclose(data.latitude, np.arange(80, -81, -10.0))
 
+    def test_longitudes_of_a_region_across_greenwich(self):
+        for longitudes, told in ((np.arange(-20, 21, 10) % 360, "-20 to 20"), (np.arange(170, 211, 10), "170 to 210"), ((np.arange(170, 211, 10) + 180) % 360 - 180, "170 to 210"),
+                                 (np.arange(0, 360, 40), "0 to 320"), (np.arange(-180, 180, 10), "-180 to 170")):
+            lon, lat = np.meshgrid(longitudes, np.arange(0, 41, 10.0))
+            data = xr.Dataset({"q": (("y", "x"), 0.0 * lon)}, {"lon": (("y", "x"), lon, {"units": "degrees_east"}), "lat": (("y", "x"), lat + 0.1 * lon / 360, {"units": "degrees_north"})})
+            self.assertIn(f"longitude {told} (", data.nephoscope.describe())
+
     def test_many_variables(self):
         """Whether x and y are lengths is found without looking at every variable for every other one."""
         axes = {"latitude": ("latitude", np.arange(3.0), {"units": "degrees_north"}), "longitude": ("longitude", np.arange(4.0), {"units": "degrees_east"})}

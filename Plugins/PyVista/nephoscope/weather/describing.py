@@ -17,6 +17,7 @@ from .times import listed_times
 from .units import UnitsError
 from .winds import winds
 
+WIDE_GAP = 60.0  # degrees without a longitude: the points are those of a region
 
 def described(reading: Reading, air: Air, dataset) -> str:
     lines = [_grid(reading), *_cells(reading), *_levels(reading, air), _times(reading, dataset), *_roles(reading)]
@@ -47,7 +48,8 @@ def _look_for_zeros(reading: Reading) -> None:
 def _grid(reading: Reading) -> str:
     grid = reading.horizontal
     sizes = " x ".join(f"{dim} {reading.dataset.sizes[dim]}" for dim in grid.dims)
-    return (f"grid: {grid.kind}, {sizes}; longitude {np.nanmin(grid.longitude):g} to {np.nanmax(grid.longitude):g} ({grid.names[0]}), "
+    west, east = _west_to_east(grid.longitude)
+    return (f"grid: {grid.kind}, {sizes}; longitude {west:g} to {east:g} ({grid.names[0]}), "
             f"latitude {np.nanmin(grid.latitude):g} to {np.nanmax(grid.latitude):g} ({grid.names[1]})")
 
 
@@ -80,3 +82,17 @@ def _times(reading: Reading, dataset) -> str:
 def _roles(reading: Reading) -> list[str]:
     return [f"{ROLES[role].meaning}: {name!r}" + (f" ({units})" if (units := reading.dataset[name].attrs.get("units")) else "") + ("" if reading.has(role) else ", left out")
             for role, name in reading.roles.items()]
+
+
+def _west_to_east(longitude: np.ndarray) -> tuple[float, float]:
+    """The ends of the longitudes; those of a region across the meridian at which they jump are on either side of it."""
+    low, high = float(np.nanmin(longitude)), float(np.nanmax(longitude))
+    if high - low < 300:
+        return low, high
+    around = np.unique(np.mod(longitude[np.isfinite(longitude)], 360))
+    gaps = np.diff(around, append=around[0] + 360)
+    last = int(np.argmax(gaps))
+    if gaps[last] < WIDE_GAP:
+        return low, high
+    west, east = float(around[(last + 1) % len(around)]), float(around[last])
+    return (west - 360 if west > east else west), east

@@ -72,7 +72,8 @@ def _suited(make: Callable[[float], pyvista.DataSet], usual: float, exaggeration
 
 def _plotted_globe(asked: Plot) -> pyvista.Plotter:
     found, options = asked.accessor._of_field(asked.scalars, asked.time, asked.options)
-    options = asked.options if asked.is_lit else options
+    if asked.is_lit:  # all water and the air, and what was asked for if it must be computed, such as a cloud fraction from the humidity
+        options = {**asked.options, **{name: options[name] for name in ("derive",) if name in options}}
     grid = _suited(lambda factor: asked.accessor.globe(time=asked.time, vertical_exaggeration=factor, **options), USUAL, asked.exaggeration)
     if not asked.is_lit and (parts := _filled(asked, grid, found, options)) is not None:
         return plotted(parts)
