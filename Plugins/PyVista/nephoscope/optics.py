@@ -11,8 +11,8 @@ import pyvista
 
 from . import vtkCloudOptics
 from ._checks import arrays_of, choose, require_number
-from ._fields import FLAT_GRID
 from ._cloud_water import optics_of_fraction
+from ._fields import FLAT_GRID
 from ._medium import one_mesh
 from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh
