@@ -23,6 +23,12 @@ Planet planetOf(vtkDataSet* data, const Vector3& up)
   return { isGlobe ? fieldValue(data, "PlanetRadius", 0) : 0.0, up };
 }
 
+double radiusOfMap(vtkDataSet* data)
+{
+  return fieldValue(data, "GlobeGridProjection", 0) == 1 ? fieldValue(data, "PlanetRadius", 0)
+                                                         : 0.0;
+}
+
 Vector3 Planet::UpAt(const Vector3& place) const
 {
   const double length = norm(place);

@@ -218,6 +218,8 @@ private:
 
   struct Work;
   bool FindSun(vtkDataSet* data, std::array<double, 3>& sun);
+  void WarnOfPlace(
+    vtkDataSet* data, const std::array<double, 3>& sun, const std::array<double, 3>& sunOnGlobe);
   bool Check(vtkDataSet* data);
   bool CheckUp();
   nephoscope::Planet PlanetOf(vtkDataSet* data) const;
@@ -260,7 +262,7 @@ private:
   double ViewPosition[3] = { 0, 0, 1 };
   int NumberOfIterations = 0;
   double LastChange = 0;
-  bool ToldOfPieces = false;
+  bool ToldOfPieces = false, ToldOfPlace = false;
   vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for isEmptyInput and ReportOnce
   vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array

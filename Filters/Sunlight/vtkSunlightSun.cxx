@@ -4,6 +4,7 @@
 #include "vtkSunlight.h"
 
 #include "EmptyInput.h"
+#include "InputBlocks.h"
 #include "LitData.h"
 #include "SharedSun.h"
 #include "SolarPosition.h"
@@ -11,6 +12,7 @@
 
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +24,31 @@ nephoscope::Planet vtkSunlight::PlanetOf(vtkDataSet* data) const
   const double length = std::hypot(std::hypot(this->Up[0], this->Up[1]), this->Up[2]);
   return nephoscope::planetOf(
     data, { { this->Up[0] / length, this->Up[1] / length, this->Up[2] / length } });
+}
+
+// A map that is told no place has the sun of longitude and latitude 0, perhaps at night.
+void vtkSunlight::WarnOfPlace(
+  vtkDataSet* data, const std::array<double, 3>& sun, const std::array<double, 3>& sunOnGlobe)
+{
+  const double radius = nephoscope::radiusOfMap(data);
+  const nephoscope::Vector3 seenFromZero{ { sunOnGlobe[1], sunOnGlobe[2], sunOnGlobe[0] } };
+  bool isElsewhere = false;
+  if (radius > 0 && sun != sunOnGlobe && nephoscope::distance(sun, seenFromZero) < 1e-9)
+  {
+    double middle[3];
+    data->GetCenter(middle);
+    const double longitude = vtkMath::DegreesFromRadians(middle[0] / radius),
+                 latitude = vtkMath::DegreesFromRadians(middle[1] / radius);
+    isElsewhere = std::hypot(longitude, latitude) > 15;
+    if (isElsewhere && !this->ToldOfPlace)
+    {
+      vtkWarningMacro(
+        << nephoscope::inBlock(this, data) << "The middle of the map is at longitude "
+        << std::round(longitude) << " and latitude " << std::round(latitude)
+        << ", but the sun is that of longitude 0 and latitude 0: set Longitude and Latitude beside the date.");
+    }
+  }
+  this->ToldOfPlace = isElsewhere;
 }
 
 bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
@@ -43,6 +70,7 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
       return false;
     }
     sun = onGlobe ? shared.DirectionOnGlobe : shared.Direction;
+    this->WarnOfPlace(data, sun, shared.DirectionOnGlobe);
     return true;
   }
   std::copy(this->SunDirection, this->SunDirection + 3, sun.begin());
@@ -56,9 +84,10 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
       return false;
     }
     const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days);
-    sun = onGlobe
-      ? nephoscope::towardsSunOnGlobe(place)
-      : planet.FromHorizon(nephoscope::towardsSunAt(place, this->Longitude, this->Latitude));
+    const auto sunOnGlobe = nephoscope::towardsSunOnGlobe(place);
+    const auto seen = nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
+    sun = onGlobe ? sunOnGlobe : planet.FromHorizon(seen);
+    this->WarnOfPlace(data, onGlobe ? sunOnGlobe : seen, sunOnGlobe);
   }
   const double length = std::sqrt(dot(sun, sun));
   if (!(length > 0) || !std::isfinite(length))

@@ -8,7 +8,7 @@ import itertools
 import unittest
 
 import numpy as np
-from nephoscope import vtkFlowVolume, vtkSunlight
+from nephoscope import vtkFlowVolume, vtkSunlight, vtkSunSource
 from nephoscope_testing import threads
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -363,6 +363,35 @@ class Globe(unittest.TestCase):
             sun = vtk_to_numpy(output.GetFieldData().GetArray("SunDirection"))[0]
             self.assertAlmostEqual(np.degrees(np.arcsin(sun[2])), lat, delta=0.1)
             self.assertAlmostEqual(np.remainder(np.degrees(np.arctan2(sun[1], sun[0])) - lon + 180, 360) - 180, 0, delta=0.5)
+
+
+class Maps(unittest.TestCase):
+    def test_a_map_elsewhere_needs_a_place(self):
+        """Japan, in metres on a map: once, with a date alone, from the filter or from a source."""
+        radius = 6371229.0
+        japan = image((5, 5, 5), (1e5, 1e5, 1e3), lambda x, y, z: 0 * x + 1e-4, tuple(radius * np.radians((137, 35))) + (0,))
+        for name, value in (("GlobeGridProjection", 1.0), ("PlanetRadius", radius)):
+            array = numpy_to_vtk(np.array([value]), deep=1)
+            array.SetName(name)
+            japan.GetFieldData().AddArray(array)
+        here = {"Longitude": 139, "Latitude": 37}
+        for options, warned in (({}, True), (here, False)):
+            messages = light_of(japan, DateTime="2020-06-21 12:00", **options)[1]
+            self.assertEqual([m for m in messages if "longitude 139 and latitude 37, but the sun" in m] != [], warned, messages)
+            source = vtkSunSource()
+            source.SetDateTime("2020-06-21 12:00")
+            for name, value in options.items():
+                getattr(source, "Set" + name)(value)
+            light = vtkSunlight()
+            light.SetInputData(japan)
+            light.SetInputConnection(2, source.GetOutputPort())
+            with Messages() as messages:
+                for hours in range(3):
+                    source.SetHoursLater(hours / 10)
+                    light.Update()
+            self.assertEqual(len([m for m in messages.all if "set Longitude and Latitude" in m]), int(warned), messages.all)
+        for data, options in ((japan, {"sun": (1, 1, 1)}), (image((5, 5, 5), (1e5, 1e5, 1e3), lambda x, y, z: 0 * x), {"DateTime": "2020-06-21 12:00"})):
+            self.assertFalse([m for m in light_of(data, **options)[1] if "set Longitude" in m])
 
 
 class Orientation(unittest.TestCase):
