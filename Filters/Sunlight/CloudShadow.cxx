@@ -2,22 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudShadow.h"
 
+#include "EntryFaces.h"
+#include "OwnThreads.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProbeFilter.h"
+#include "vtkSmartPointer.h"
+
+#include <limits>
 
 namespace nephoscope
 {
-std::vector<float> cloudShadow(vtkDataSet* clouds, const std::vector<std::array<double, 3>>& places)
+namespace
 {
-  if (!clouds->GetPointData()->HasArray("SunTransmittance"))
-  {
-    return {};
-  }
+const char* const fractionName = "SunTransmittance";
+constexpr float unknown = -1;
+
+std::vector<float> insideClouds(vtkDataSet* clouds, const std::vector<Place>& places)
+{
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const auto& place : places)
@@ -31,17 +41,96 @@ std::vector<float> cloudShadow(vtkDataSet* clouds, const std::vector<std::array<
   probe->SetSourceData(clouds);
   probe->Update();
   vtkPointData* probed = probe->GetOutput()->GetPointData();
-  vtkDataArray* transmittance = probed->GetArray("SunTransmittance");
+  vtkDataArray* fraction = probed->GetArray(fractionName);
   vtkDataArray* valid = probed->GetArray(probe->GetValidPointMaskArrayName());
-  std::vector<float> shadow(places.size(), 1.0f);
+  std::vector<float> shadow(places.size(), unknown);
   for (std::size_t p = 0; p < places.size(); ++p)
   {
     const auto i = static_cast<vtkIdType>(p);
     if (valid->GetComponent(i, 0) > 0)
     {
-      shadow[p] = static_cast<float>(transmittance->GetComponent(i, 0));
+      shadow[p] = static_cast<float>(fraction->GetComponent(i, 0));
     }
   }
+  return shadow;
+}
+
+/** The boundary of clouds, as the sun sees it. */
+class CloudBase
+{
+public:
+  CloudBase(vtkDataSet* clouds, const Place& towardsSun, const Loop& loop)
+  {
+    vtkNew<vtkGeometryFilter> geometry;
+    geometry->SetInputData(clouds);
+    geometry->Update();
+    vtkPolyData* boundary = geometry->GetOutput();
+    vtkDataArray* fraction = boundary->GetPointData()->GetArray(fractionName);
+    std::vector<Place> places(static_cast<std::size_t>(boundary->GetNumberOfPoints()));
+    std::vector<Fields> fields(places.size());
+    for (std::size_t p = 0; p < places.size(); ++p)
+    {
+      boundary->GetPoint(static_cast<vtkIdType>(p), places[p].data());
+      fields[p] = { { float(fraction->GetComponent(static_cast<vtkIdType>(p), 0)), 0 } };
+    }
+    this->Points = sunPoints(places, fields, {}, towardsSun, loop);
+    this->Faces = EntryFaces(this->Points, trianglesOf(boundary));
+  }
+
+  /** Where the ray from this place enters; 1: nowhere. */
+  float FractionAt(const SunPoint& place) const
+  {
+    SunRay ray(place, 0, 0);
+    std::array<std::int32_t, 3> ignored;
+    const bool enters =
+      this->Faces.Next(this->Points, std::numeric_limits<double>::lowest(), ray, ignored) >= 0;
+    return enters ? static_cast<float>(ray.Value()) : 1.0f;
+  }
+
+private:
+  static std::vector<EntryFaces::Face> trianglesOf(vtkPolyData* boundary)
+  {
+    std::vector<EntryFaces::Face> triangles;
+    auto polygons = vtk::TakeSmartPointer(boundary->GetPolys()->NewIterator());
+    for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell())
+    {
+      vtkIdType size;
+      const vtkIdType* p;
+      polygons->GetCurrentCell(size, p);
+      for (vtkIdType k = 2; k < size; ++k)
+      {
+        triangles.push_back(
+          { { { std::int32_t(p[0]), std::int32_t(p[k - 1]), std::int32_t(p[k]) } }, 0 });
+      }
+    }
+    return triangles;
+  }
+
+  std::vector<SunPoint> Points;
+  EntryFaces Faces;
+};
+}
+
+std::vector<float> cloudShadow(
+  vtkDataSet* clouds, const std::vector<Place>& places, const Place& towardsSun)
+{
+  if (!clouds->GetPointData()->HasArray(fractionName))
+  {
+    return {};
+  }
+  const Loop loop = [](std::int64_t count, const auto& body) {
+    inParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
+  };
+  std::vector<float> shadow = insideClouds(clouds, places);
+  const CloudBase base(clouds, towardsSun, loop);
+  const std::vector<SunPoint> points =
+    sunPoints(places, std::vector<Fields>(places.size()), {}, towardsSun, loop);
+  loop(static_cast<std::int64_t>(places.size()), [&](std::int64_t begin, std::int64_t end) {
+    for (std::int64_t p = begin; p < end; ++p)
+    {
+      shadow[p] = shadow[p] == unknown ? base.FractionAt(points[p]) : shadow[p];
+    }
+  });
   return shadow;
 }
 }

@@ -210,7 +210,7 @@ bool vtkSunlight::Shade(Work& work)
   {
     return true;
   }
-  work.Shadow = nephoscope::cloudShadow(clouds, work.Places);
+  work.Shadow = nephoscope::cloudShadow(clouds, work.Places, work.Sun);
   vtkDataArray* sun = clouds->GetFieldData()->GetArray("SunDirection");
   if (work.Shadow.empty() && !work.Places.empty())
   {

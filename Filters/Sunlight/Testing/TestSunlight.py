@@ -13,7 +13,7 @@ from nephoscope_testing import threads
 from nephoscope_testing.messages import Messages
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import VTK_VERTEX, vtkDataSetAttributes, vtkImageData, vtkStructuredGrid, vtkUnstructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkThreshold
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter, vtkTransformFilter
@@ -363,6 +363,58 @@ class Globe(unittest.TestCase):
             sun = vtk_to_numpy(output.GetFieldData().GetArray("SunDirection"))[0]
             self.assertAlmostEqual(np.degrees(np.arcsin(sun[2])), lat, delta=0.1)
             self.assertAlmostEqual(np.remainder(np.degrees(np.arctan2(sun[1], sun[0])) - lon + 180, 360) - 180, 0, delta=0.5)
+
+
+class Ground(unittest.TestCase):
+    """The shadow of clouds on data below their mesh."""
+
+    AXES, MIDDLE = np.array([600.0, 500.0, 300.0]), np.array([1000.0, 1000.0, 1500.0])
+
+    def cloud(self, spacing):
+        """An ellipsoid of 0.01 (1 - r^2), in a box that begins 1 km above the ground."""
+        size = round(2000 / spacing) + 1
+        return image((size, size, size // 2 + 1), (spacing,) * 3, lambda x, y, z: 0.01 * np.maximum(
+            1 - (((np.stack([x, y, z], -1) - self.MIDDLE) / self.AXES) ** 2).sum(-1), 0), (0, 0, 1000))
+
+    def test_closed_form(self):
+        """The fraction of the beam on flat ground; the error falls faster than the spacing."""
+        ground = image((61, 61, 2), (100, 100, 1), lambda x, y, z: 0 * x, (-2000, -2000, -1))
+        x = places(ground)
+        for sun in ((0, 0, 1), (1, -1, 1), (-1, 0.3, 0.5)):
+            s = np.array(sun) / np.linalg.norm(sun)
+            p, d = (x - self.MIDDLE) / self.AXES, s / self.AXES
+            nearest = p - (p @ d)[:, None] * d / (d @ d)
+            depth = 0.01 * 4 / 3 * np.maximum(1 - (nearest ** 2).sum(1), 0) ** 1.5 / np.sqrt(d @ d)
+            errors = []
+            for spacing in (40, 20):
+                lit = light_of(self.cloud(spacing), sun, MultipleScattering=False)[0]
+                found = values(light_of(ground, sun, clouds=lit, MultipleScattering=False)[0], "SunTransmittance")
+                errors.append(abs(found - np.exp(-depth)).max())
+            with self.subTest(sun):
+                self.assertLess(errors[1], min(0.03, 0.5 * errors[0]))
+                self.assertGreater((depth > 0.5).sum(), 20)
+
+    def test_planet(self):
+        """Below a shell from 1 to 1.1, a place on a smaller sphere; its facets are flat."""
+        clouds = globe(3.0)
+        lit = light_of(clouds, (1, 0.4, 0.3), MultipleScattering=False)[0]
+        s = np.array([1, 0.4, 0.3]) / np.linalg.norm([1, 0.4, 0.3])
+        inner = globe(0)
+        at = places(inner)
+        below = at[np.linalg.norm(at, axis=1) < 1.01] * 0.9
+        ground = vtkUnstructuredGrid()
+        ground.SetPoints(vtkPoints())
+        ground.GetPoints().SetData(numpy_to_vtk(below, deep=1))
+        for p in range(len(below)):
+            ground.InsertNextCell(VTK_VERTEX, 1, [p])
+        ground.SetFieldData(clouds.GetFieldData())
+        add(ground, "Extinction", np.zeros(len(below)))
+        found = values(light_of(ground, s, clouds=lit, MultipleScattering=False)[0], "SunTransmittance")
+        along = below @ s
+        ways = [np.sqrt(along ** 2 + r ** 2 - 0.81) - along for r in (1.0, 1.1)]
+        high = along / 0.9 > 0.3
+        np.testing.assert_allclose(found[high], np.exp(-3 * (ways[1] - ways[0]))[high], rtol=0.06)
+        self.assertGreater(high.sum(), 50)
 
 
 class Maps(unittest.TestCase):

@@ -9,7 +9,7 @@ from typing import Any, Callable, Literal, Mapping
 
 import numpy as np
 import pyvista
-from vtkmodules.vtkCommonDataModel import vtkDataSet, vtkPointSet
+from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from . import vtkSunlight, vtkSunSource
 from ._blocks import cell_dimension
@@ -118,24 +118,11 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
 def _shaded(surface: pyvista.DataSet, say: Callable[[str], str], clouds: pyvista.DataSet, **options: Any) -> pyvista.DataSet:
     """A surface without a medium, in the light that clouds leave."""
     _require_light(clouds, say("clouds"))
-    at_clouds = pyvista.wrap(surface).copy()
-    at_clouds["NoExtinction"] = np.zeros(at_clouds.n_points)
-    if not is_on_globe(clouds) and "SunDirection" in clouds.field_data and isinstance(at_clouds, vtkPointSet):
-        at_clouds.points = _towards(at_clouds.points.astype(float), clouds.field_data["SunDirection"][0], np.reshape(clouds.bounds, (3, 2)).T)
-    light = light_of(at_clouds, say, clouds=clouds, **{**options, "extinction": "NoExtinction", "multiple_scattering": False})
-    if isinstance(light, vtkPointSet):
-        light.points = pyvista.wrap(surface).points
+    clear = pyvista.wrap(surface).copy(deep=False)
+    clear["NoExtinction"] = np.zeros(clear.n_points)
+    light = light_of(clear, say, clouds=clouds, **{**options, "extinction": "NoExtinction", "multiple_scattering": False})
     del light.point_data["NoExtinction"]
     return light
-
-
-def _towards(points: np.ndarray, direction: np.ndarray, box: np.ndarray) -> np.ndarray:
-    """Points outside of a box, moved into it in this direction where it meets the box."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        ways = (box[:, None] - points) / direction
-        near, far = np.nanmax(ways.min(axis=0), axis=1), np.nanmin(ways.max(axis=0), axis=1)
-        way = near + 1e-4 * (far - near)
-    return points + np.where((near > 0) & (near < far), way, 0)[:, None] * direction
 
 
 def is_on_globe(mesh: pyvista.DataSet) -> bool:

@@ -6,11 +6,10 @@ from __future__ import annotations
 import numpy as np
 import pyvista
 
-from ..light import is_on_globe, recorded_sun, sunlight
+from ..light import sunlight
 
 SHADE = "Shade"  # array of colours that multiply the texture
 FINE, COARSE = 151, 2.0  # lines across the clouds in each direction; degrees between lines elsewhere
-STEPS = 8  # along a ray towards the sun, up to the middle of the height of the clouds' data, until it is inside them: these may begin above the ground
 
 
 def shade(earth: pyvista.Actor, clouds: pyvista.DataSet) -> None:
@@ -31,32 +30,9 @@ def shade(earth: pyvista.Actor, clouds: pyvista.DataSet) -> None:
 
 def _irradiance(surface: pyvista.StructuredGrid, clouds: pyvista.DataSet) -> np.ndarray:
     """From sun and sky, below the clouds; 1: a surface that faces the sun."""
-    direction = np.asarray(recorded_sun(clouds), float)
-    points = np.asarray(surface.points, float)
-    on_globe = is_on_globe(clouds)
-    upward = points / np.linalg.norm(points, axis=1)[:, None] if on_globe else np.array([[0.0, 0.0, 1.0]])
-    sine = np.broadcast_to(upward @ direction, len(points))  # of the elevation of the sun
     clear = surface.copy(deep=False)
-    clear["NoExtinction"] = np.zeros(len(points))
-    light = sunlight(clear, direction, extinction="NoExtinction", multiple_scattering=False)["Irradiance"]
-    return np.asarray(light, float) - np.clip(sine, 0, None) * (1 - _transmittance(points, sine, direction, clouds, on_globe))
-
-
-def _transmittance(points: np.ndarray, sine: np.ndarray, direction: np.ndarray, clouds: pyvista.DataSet, on_globe: bool) -> np.ndarray:
-    """The part of the sun's beam that reaches the points below the clouds: that where the ray towards the sun is first inside their data."""
-    inside = np.asarray(clouds.points, float)[np.isfinite(clouds.points).all(axis=1)]
-    radius = np.linalg.norm(points[0])
-    top = np.linalg.norm(inside, axis=1).max() - radius if on_globe else inside[:, 2].max() - points[0, 2]
-    found, left = np.ones(len(points)), np.flatnonzero(sine > 0)
-    for height in np.linspace(0, 0.5 * top, STEPS):
-        along = np.sqrt((radius * sine[left]) ** 2 + height * (2 * radius + height)) - radius * sine[left] if on_globe else height / sine[left]
-        probed = pyvista.PolyData(points[left] + along[:, None] * direction).sample(clouds)
-        valid = np.asarray(probed["vtkValidPointMask"], bool)
-        found[left[valid]] = np.clip(np.asarray(probed["SunTransmittance"], float)[valid], 0, 1)
-        left = left[~valid]
-        if not left.size:
-            break
-    return found
+    clear["NoExtinction"] = np.zeros(surface.n_points)
+    return np.asarray(sunlight(clear, extinction="NoExtinction", multiple_scattering=False, clouds=clouds)["Irradiance"], float)
 
 
 def _grid(points: np.ndarray, coordinates: np.ndarray) -> pyvista.StructuredGrid:
