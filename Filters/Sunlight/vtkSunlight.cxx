@@ -23,6 +23,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -41,6 +42,8 @@ using nephoscope::quotedArrayNames;
 
 namespace
 {
+const char* const noExtinctionName = "NephoscopeNoExtinction"; // removed afterwards
+
 // Behind the planet there is no sun.
 bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& place,
   const std::array<double, 3>& sun)
@@ -121,6 +124,35 @@ bool vtkSunlight::HasExtinction(vtkDataSet* data) const
   const char* name = this->ExtinctionArrayName.c_str();
   return data->GetPointData()->HasArray(name) || data->GetCellData()->HasArray(name) ||
     (this->ExtinctionArrayName == "Extinction" && nephoscope::smokeDensity(data));
+}
+
+// Such as the ground: light reaches it, and goes no further.
+bool vtkSunlight::IsSurfaceBelowClouds(vtkDataSet* data)
+{
+  if (!this->GetInputDataObject(1, 0) || this->HasExtinction(data))
+  {
+    return false;
+  }
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    if (i == 0 || data->GetCellType(i) != cell->GetCellType())
+    {
+      cell->SetCellType(data->GetCellType(i));
+    }
+    if (cell->GetCellDimension() == 3)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Irradiance from the sky, which fades with twilight.
+float vtkSunlight::SkyAt(const std::array<double, 3>& place, const Work& work) const
+{
+  const double elevation = dot(work.Planet.UpAt(place), work.Sun);
+  return static_cast<float>(this->SkyLight * std::max(0.0, std::min(1.0, (elevation + 0.1) / 1.1)));
 }
 
 // A block without extinction beside others that have it, such as the ground below clouds.
@@ -257,12 +289,12 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
       }
       const double source =
         0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + flux, 0.0) + beam * sunlight);
-      light->SetValue(p, static_cast<float>(source));
       extinction->SetValue(p, work.Scaled[p]);
       transmittance->SetValue(p, static_cast<float>(shadow * work.Transmittance[p]));
       const std::array<double, 3> up = work.Planet.UpAt(work.Places[p]);
-      irradiance->SetValue(
-        p, static_cast<float>(std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p]));
+      const double arriving = std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p];
+      irradiance->SetValue(p, static_cast<float>(arriving));
+      light->SetValue(p, static_cast<float>(this->OnSurface ? arriving : source));
       upward->SetValue(p, work.Up[p]);
       absorbed->SetValue(p, work.Absorbed[p]);
     }
@@ -309,7 +341,13 @@ bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
     return false;
   }
   work.StartDiffuse();
-  return this->Shade(work) && (!this->MultipleScattering || this->Diffuse(data, work));
+  if (this->OnSurface)
+  {
+    std::transform(work.Places.begin(), work.Places.end(), work.Down.begin(),
+      [&](const nephoscope::Place& place) { return this->SkyAt(place, work); });
+  }
+  const bool isScattered = this->MultipleScattering && !this->OnSurface;
+  return this->Shade(work) && (!isScattered || this->Diffuse(data, work));
 }
 
 bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
@@ -387,7 +425,14 @@ int vtkSunlight::RequestData(
     output->ShallowCopy(toPoints->GetOutput());
   }
   this->TakeForClearAir(output);
+  this->OnSurface = this->IsSurfaceBelowClouds(output);
+  if (this->OnSurface)
+  {
+    this->UsedExtinction = noExtinctionName;
+    addPointArray(output, noExtinctionName)->FillValue(0.0f);
+  }
   const bool success = this->AddLight(output, input);
+  output->GetPointData()->RemoveArray(noExtinctionName);
   report.End(success || this->GetAbortExecute());
   if (success)
   {

@@ -9,7 +9,7 @@
  * 1. Follow a ray from every point to the sun, from cell to cell; the extinction is linear in their tetrahedra, as in vtkCellCompositingMapper. A
  *    point whose ray meets the planet is in the night.
  * 2. Compute multiple scattering by discrete ordinates, on structured grids or, for other data, on an image with the same bounds (DiffuseLight.h).
- *    The third index, or z, counts upwards. The sky is above; the ground below reflects a part of the light.
+ *    Up is Up, or away from the centre of a planet. The sky is above; the ground below reflects a part of the light.
  * 3. Write the source function, the light that a point sends to the eye. A volume mapper does the rest (scalars Sunlight, opacities ScaledExtinction).
  *
  * Point arrays written, float; a light of 1 is that of a white surface facing the sun:
@@ -29,7 +29,8 @@
  * Smoke, as vtkFlowVolume and vtkSmokePuffs write it, gets extinction, albedo and asymmetry of its own (SmokeOptics.h), unless another array is named.
  *
  * The second input, which is optional, is clouds that have their light: in their shadow there is less sunlight. Light that
- * they scatter does not reach the data.
+ * they scatter does not reach the data. With clouds, data without an extinction and without three-dimensional cells, such as the ground, get the light that reaches
+ * them: Sunlight is then the irradiance by sun and sky.
  *
  * The third input, which is optional, is a vtkSunSource: its sun takes the place of SunDirection and DateTime.
  *
@@ -225,6 +226,8 @@ private:
   nephoscope::Planet PlanetOf(vtkDataSet* data) const;
   bool HasExtinction(vtkDataSet* data) const;
   void TakeForClearAir(vtkDataSet* data);
+  bool IsSurfaceBelowClouds(vtkDataSet* data);
+  float SkyAt(const std::array<double, 3>& place, const Work& work) const;
   bool Compute(vtkDataSet* data, Work& work);
   bool AddLight(vtkDataSet* data, vtkDataSet* input);
   bool ReadOptics(vtkDataSet* data, Work& work);
@@ -263,6 +266,7 @@ private:
   int NumberOfIterations = 0;
   double LastChange = 0;
   bool ToldOfPieces = false, ToldOfPlace = false;
+  bool OnSurface = false;                              // without a medium, below clouds
   vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for isEmptyInput and ReportOnce
   vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array

@@ -53,10 +53,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   grid.Sky.resize(grid.Columns());
   for (std::size_t c = 0; c < grid.Columns(); ++c)
   {
-    const nephoscope::Place& place = work.Places[axes.Order.NumberOf(c)];
-    const double elevation = dot(work.Planet.UpAt(place), work.Sun);
-    grid.Sky[c] =
-      static_cast<float>(this->SkyLight * std::max(0.0, std::min(1.0, (elevation + 0.1) / 1.1)));
+    grid.Sky[c] = this->SkyAt(work.Places[axes.Order.NumberOf(c)], work);
   }
   nephoscope::LightSettings settings;
   settings.Zenith = this->ZenithAngles;

@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonDataModel import VTK_VERTEX, vtkDataSetAttributes, vtkI
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkThreshold
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter, vtkTransformFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
 # I3RC phase 1 case 1, sun overhead: consensus of the codes that took part (public results of the Intercomparison of 3D Radiation Codes, Cahalan et al.
 # 2005). Columns of 15.625 m, periodic; 0.25 km thick; optical depth 2 in the first half, 18 in the second; Henyey-Greenstein, g = 0.85; no absorption.
@@ -393,6 +394,27 @@ class Ground(unittest.TestCase):
             with self.subTest(sun):
                 self.assertLess(errors[1], min(0.03, 0.5 * errors[0]))
                 self.assertGreater((depth > 0.5).sum(), 20)
+
+    def test_surface_without_extinction(self):
+        """Clouds make it one that light reaches: sun and sky. A volume without extinction remains a fault, and so is a surface without clouds."""
+        lit = light_of(self.cloud(40), (1, 0, 1), MultipleScattering=False)[0]
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-2000, -2000, 0)
+        plane.SetPoint1(4000, -2000, 0)
+        plane.SetPoint2(-2000, 4000, 0)
+        plane.SetResolution(50, 50)
+        plane.Update()
+        ground, messages = light_of(plane.GetOutput(), (1, 0, 1), clouds=lit, SkyLight=0.2)
+        self.assertEqual(messages, [])
+        through, light = values(ground, "SunTransmittance"), values(ground, "Sunlight")
+        self.assertLess(through.min(), 0.1)
+        np.testing.assert_allclose(light, np.sqrt(0.5) * through + 0.2 * (np.sqrt(0.5) + 0.1) / 1.1, rtol=1e-5)
+        np.testing.assert_array_equal(values(ground, "Irradiance"), light)
+        self.assertFalse(ground.GetPointData().HasArray("NephoscopeNoExtinction"))
+        volume = image((3, 3, 3), (1, 1, 1), lambda x, y, z: 0 * x)
+        volume.GetPointData().RemoveArray("Extinction")
+        for data, clouds in ((volume, lit), (plane.GetOutput(), None)):
+            self.assertIn("no array 'Extinction'", light_of(data, clouds=clouds)[1][0])
 
     def test_planet(self):
         """Below a shell from 1 to 1.1, a place on a smaller sphere; its facets are flat."""

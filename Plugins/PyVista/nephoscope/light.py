@@ -9,7 +9,6 @@ from typing import Any, Callable, Literal, Mapping
 
 import numpy as np
 import pyvista
-from vtkmodules.vtkCommonDataModel import vtkDataSet
 
 from . import vtkSunlight, vtkSunSource
 from ._blocks import cell_dimension
@@ -111,18 +110,7 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
     if isinstance(direction, str) and not time:
         direction, time = None, direction
     options = dict(locals())
-    surface = clouds is not None and isinstance(mesh, vtkDataSet) and cell_dimension(mesh) < 3 and not _has(pyvista.wrap(mesh), extinction)
-    return (_shaded if surface else light_of)(options.pop("mesh"), str, **options)
-
-
-def _shaded(surface: pyvista.DataSet, say: Callable[[str], str], clouds: pyvista.DataSet, **options: Any) -> pyvista.DataSet:
-    """A surface without a medium, in the light that clouds leave."""
-    _require_light(clouds, say("clouds"))
-    clear = pyvista.wrap(surface).copy(deep=False)
-    clear["NoExtinction"] = np.zeros(clear.n_points)
-    light = light_of(clear, say, clouds=clouds, **{**options, "extinction": "NoExtinction", "multiple_scattering": False})
-    del light.point_data["NoExtinction"]
-    return light
+    return light_of(options.pop("mesh"), str, **options)
 
 
 def is_on_globe(mesh: pyvista.DataSet) -> bool:

@@ -16,7 +16,7 @@ def shade(earth: pyvista.Actor, clouds: pyvista.DataSet) -> None:
     """Gives the surface of the Earth, an actor of `add_ground`, the light of the sun of the clouds, in place of the lights of the plotter."""
     old = earth.mapper.dataset
     surface = _map(old) if old.n_points == 4 else _globe(old, clouds)
-    light = _irradiance(surface, clouds)
+    light = sunlight(surface, clouds=clouds)["Irradiance"]  # 1: a surface that faces the sun
     tint = np.asarray(earth.prop.color.float_rgb)
     surface[SHADE] = np.rint(255 * np.clip(light, 0, 1)[:, None] * tint).astype(np.uint8)
     surface.set_active_scalars(None)
@@ -26,13 +26,6 @@ def shade(earth: pyvista.Actor, clouds: pyvista.DataSet) -> None:
     earth.mapper.SetColorModeToDirectScalars()
     earth.mapper.ScalarVisibilityOn()
     earth.prop.lighting = False
-
-
-def _irradiance(surface: pyvista.StructuredGrid, clouds: pyvista.DataSet) -> np.ndarray:
-    """From sun and sky, below the clouds; 1: a surface that faces the sun."""
-    clear = surface.copy(deep=False)
-    clear["NoExtinction"] = np.zeros(surface.n_points)
-    return np.asarray(sunlight(clear, extinction="NoExtinction", multiple_scattering=False, clouds=clouds)["Irradiance"], float)
 
 
 def _grid(points: np.ndarray, coordinates: np.ndarray) -> pyvista.StructuredGrid:
