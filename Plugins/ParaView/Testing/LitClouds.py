@@ -48,7 +48,24 @@ def check_first_colours(source):
     pvs.Delete(view)
 
 
+def check_ground():
+    """A surface below the mesh of lit clouds shows their shadow, without an extinction of its own."""
+    messages.clear()
+    view = new_view(SIZE, BACKGROUND)
+    extinction = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-10, 10, -10, 10, 5, 15]), Function="max(0, RTData - 90) * 0.01", ResultArrayName="Extinction")
+    clouds = pvs.Sunlight(Input=extinction, SunDirection=[1, 0, 1])
+    plane = pvs.Plane(Origin=[-20, -20, -5], Point1=[20, -20, -5], Point2=[-20, 20, -5], XResolution=50, YResolution=50)
+    ground = pvs.Sunlight(Input=plane, Clouds=clouds, SunDirection=[1, 0, 1])
+    colours = pvs.Show(ground, view).ColorArrayName
+    least, most = ground.PointData["Sunlight"].GetRange()
+    print(f"ground: {least:.3f} to {most:.3f}", flush=True)
+    check(colours[1] == "Sunlight" and least < 0.4 and most > 0.7, f"the ground has {colours[1]} from {least} to {most}")
+    check(not messages, f"{messages}")
+    pvs.Delete(view)
+
+
 def main():
+    check_ground()
     weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VOI=[0, 10**6] * 3, SampleRateI=6, SampleRateJ=6, SampleRateK=2)
     globe, flat = pvs.GlobeGrid(Input=weather, VerticalExaggeration=30), pvs.GlobeGrid(Input=weather, Projection="Map", VerticalExaggeration=30)
     check_first_colours(flat)
