@@ -112,7 +112,7 @@ private:
   double Cover(vtkIdType i) const
   {
     const double cover = this->Fields.Has(WaterFields::CloudFraction)
-      ? this->Fields.Value(WaterFields::CloudFraction, i)
+      ? this->Fields.ToCover * this->Fields.Value(WaterFields::CloudFraction, i)
       : 1.0;
     return isValue(cover) ? std::min(std::max(cover, leastCover), 1.0) : 1.0;
   }
@@ -123,8 +123,8 @@ private:
     {
       return this->Settings.LiquidRadius;
     }
-    const bool land =
-      this->Fields.Has(WaterFields::Land) && this->Fields.Value(WaterFields::Land, i) >= 0.5;
+    const bool land = this->Fields.Has(WaterFields::Land) &&
+      this->Fields.ToLand * this->Fields.Value(WaterFields::Land, i) >= 0.5;
     return land ? particles::DropletRadius(inCloud, this->Settings.DropletsLand, 0.67)
                 : particles::DropletRadius(inCloud, this->Settings.DropletsSea, 0.80);
   }
@@ -159,15 +159,13 @@ void writeOptics(
   }
 }
 
-std::vector<double> pressuresOfArray(vtkDataArray* array)
+std::vector<double> pressuresOfArray(const WaterFields& fields)
 {
-  double range[2];
-  array->GetFiniteRange(range, 0);
-  const double scale = range[1] > 0 && range[1] < 2000 ? 100.0 : 1.0; // hPa
+  vtkDataArray* array = fields.Arrays[WaterFields::Pressure];
   std::vector<double> pressures(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t i = 0; i < pressures.size(); ++i)
   {
-    pressures[i] = scale * array->GetComponent(static_cast<vtkIdType>(i), 0);
+    pressures[i] = fields.ToPascal * array->GetComponent(static_cast<vtkIdType>(i), 0);
   }
   return pressures;
 }
@@ -278,7 +276,7 @@ std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields)
   }
   if (fields.Has(WaterFields::Pressure))
   {
-    return pressuresOfArray(fields.Arrays[WaterFields::Pressure]);
+    return pressuresOfArray(fields);
   }
   const UprightOrder order = columnsOf(data, fields.OnCells);
   if (fields.Has(WaterFields::Height) && order.GetSizes()[2] > 1)

@@ -242,6 +242,36 @@ double toKelvin(vtkDataSet* data, vtkDataArray* temperature)
                                                                                          : 0.0;
 }
 
+double greatestOf(vtkDataArray* array)
+{
+  double range[2] = { 0, 0 };
+  array->GetFiniteRange(range, 0);
+  return range[1] < 1e20 ? range[1] : 0;
+}
+
+// Percent, by the units or by values that no fraction has.
+double toFraction(vtkDataSet* data, vtkDataArray* array)
+{
+  const std::string units = array ? UnitsOf(data->GetFieldData(), array->GetName()) : std::string();
+  return array && (units == "%" || units == "percent" || greatestOf(array) > 1.5) ? 0.01 : 1.0;
+}
+
+// Without units, by the size of values: clouds are below 120 hPa of height, where kPa are less than 120, and hPa than 2000.
+double toPascal(vtkDataSet* data, vtkDataArray* array)
+{
+  const std::string units = array ? UnitsOf(data->GetFieldData(), array->GetName()) : std::string();
+  const double greatest = array ? greatestOf(array) : 0;
+  if (units == "pa")
+  {
+    return 1.0;
+  }
+  if (units == "hpa" || units == "mb" || units == "mbar" || units == "millibars")
+  {
+    return 100.0;
+  }
+  return greatest <= 0 ? 1.0 : greatest < 120 ? 1000.0 : greatest < 2000 ? 100.0 : 1.0;
+}
+
 // What could not be: the sum of all water in a cloud is below 20 g/kg, and no air as cold as 130 K.
 std::string wrongUnits(const WaterFields& fields)
 {
@@ -251,7 +281,7 @@ std::string wrongUnits(const WaterFields& fields)
   {
     temperature->GetFiniteRange(celsius, 0);
   }
-  if (celsius[1] + fields.ToKelvin < 130 && celsius[0] < celsius[1])
+  if (celsius[1] + fields.ToKelvin < 130 && (celsius[0] < celsius[1] || celsius[1] != 0))
   {
     return "The array '" + std::string(temperature->GetName()) + "' has values up to " +
       std::to_string(celsius[1]) +
@@ -309,6 +339,9 @@ std::string findWaterFields(
       units == WaterUnits::Automatic && fields.Arrays[k] ? unitsOf(data, fields.Arrays[k]) : units;
   }
   fields.ToKelvin = toKelvin(data, fields.Arrays[WaterFields::Temperature]);
+  fields.ToPascal = toPascal(data, fields.Arrays[WaterFields::Pressure]);
+  fields.ToCover = toFraction(data, fields.Arrays[WaterFields::CloudFraction]);
+  fields.ToLand = toFraction(data, fields.Arrays[WaterFields::Land]);
   const std::string problem = missing(data, names, units, fields);
   const std::string shape = problem.empty() ? wrongShape(data, fields) : problem;
   return shape.empty() ? wrongUnits(fields) : shape;

@@ -35,7 +35,8 @@ struct WaterFields
 
   std::array<vtkDataArray*, NumberOfFields> Arrays{};
   std::array<WaterUnits, NumberOfWaters> Units{};
-  double ToKelvin = 0; // added to temperatures: 273.15 for degrees Celsius
+  double ToKelvin = 0;                          // added to temperatures: 273.15 for degrees Celsius
+  double ToPascal = 1, ToCover = 1, ToLand = 1; // factors of pressures, of cloud and land fractions
   bool OnCells = false;
 
   bool Has(Kind kind) const { return this->Arrays[kind] != nullptr; }

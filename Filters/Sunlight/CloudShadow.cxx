@@ -24,9 +24,15 @@ namespace nephoscope
 namespace
 {
 const char* const fractionName = "SunTransmittance";
+const char* const irradianceName = "Irradiance";
 constexpr float unknown = -1;
 
-std::vector<float> insideClouds(vtkDataSet* clouds, const std::vector<Place>& places)
+float valueOf(vtkDataArray* array, vtkIdType i)
+{
+  return array ? static_cast<float>(array->GetComponent(i, 0)) : unknown;
+}
+
+void takeInside(vtkDataSet* clouds, const std::vector<Place>& places, CloudShadow& shadow)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -42,17 +48,23 @@ std::vector<float> insideClouds(vtkDataSet* clouds, const std::vector<Place>& pl
   probe->Update();
   vtkPointData* probed = probe->GetOutput()->GetPointData();
   vtkDataArray* fraction = probed->GetArray(fractionName);
+  vtkDataArray* irradiance = probed->GetArray(irradianceName);
   vtkDataArray* valid = probed->GetArray(probe->GetValidPointMaskArrayName());
-  std::vector<float> shadow(places.size(), unknown);
   for (std::size_t p = 0; p < places.size(); ++p)
   {
     const auto i = static_cast<vtkIdType>(p);
     if (valid->GetComponent(i, 0) > 0)
     {
-      shadow[p] = static_cast<float>(fraction->GetComponent(i, 0));
+      shadow.Fraction[p] = valueOf(fraction, i);
+      shadow.Irradiance[p] = valueOf(irradiance, i);
     }
   }
-  return shadow;
+}
+
+bool hasDiffuseLight(vtkDataSet* clouds)
+{
+  vtkDataArray* upward = clouds->GetPointData()->GetArray("UpwardIrradiance");
+  return upward && upward->GetRange(0)[1] > 0;
 }
 
 /** The boundary of clouds, as the sun sees it. */
@@ -66,25 +78,27 @@ public:
     geometry->Update();
     vtkPolyData* boundary = geometry->GetOutput();
     vtkDataArray* fraction = boundary->GetPointData()->GetArray(fractionName);
+    vtkDataArray* irradiance = boundary->GetPointData()->GetArray(irradianceName);
     std::vector<Place> places(static_cast<std::size_t>(boundary->GetNumberOfPoints()));
     std::vector<Fields> fields(places.size());
     for (std::size_t p = 0; p < places.size(); ++p)
     {
-      boundary->GetPoint(static_cast<vtkIdType>(p), places[p].data());
-      fields[p] = { { float(fraction->GetComponent(static_cast<vtkIdType>(p), 0)), 0 } };
+      const auto i = static_cast<vtkIdType>(p);
+      boundary->GetPoint(i, places[p].data());
+      fields[p] = { { valueOf(fraction, i), valueOf(irradiance, i) } };
     }
     this->Points = sunPoints(places, fields, {}, towardsSun, loop);
     this->Faces = EntryFaces(this->Points, trianglesOf(boundary));
   }
 
-  /** Where the ray from this place enters; 1: nowhere. */
-  float FractionAt(const SunPoint& place) const
+  /** The fraction and the irradiance where the ray from this place enters; 1 and unknown: nowhere. */
+  std::array<double, 2> LightAt(const SunPoint& place) const
   {
     SunRay ray(place, 0, 0);
     std::array<std::int32_t, 3> ignored;
     const bool enters =
       this->Faces.Next(this->Points, std::numeric_limits<double>::lowest(), ray, ignored) >= 0;
-    return enters ? static_cast<float>(ray.Value()) : 1.0f;
+    return enters ? ray.Values() : std::array<double, 2>{ { 1.0, unknown } };
   }
 
 private:
@@ -111,26 +125,38 @@ private:
 };
 }
 
-std::vector<float> cloudShadow(
+CloudShadow cloudShadow(
   vtkDataSet* clouds, const std::vector<Place>& places, const Place& towardsSun)
 {
+  CloudShadow shadow;
   if (!clouds->GetPointData()->HasArray(fractionName))
   {
-    return {};
+    return shadow;
   }
   const Loop loop = [](std::int64_t count, const auto& body) {
     inParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
   };
-  std::vector<float> shadow = insideClouds(clouds, places);
+  shadow.Fraction.assign(places.size(), unknown);
+  shadow.Irradiance.assign(places.size(), unknown);
+  takeInside(clouds, places, shadow);
   const CloudBase base(clouds, towardsSun, loop);
   const std::vector<SunPoint> points =
     sunPoints(places, std::vector<Fields>(places.size()), {}, towardsSun, loop);
   loop(static_cast<std::int64_t>(places.size()), [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t p = begin; p < end; ++p)
     {
-      shadow[p] = shadow[p] == unknown ? base.FractionAt(points[p]) : shadow[p];
+      if (shadow.Fraction[p] == unknown)
+      {
+        const std::array<double, 2> light = base.LightAt(points[p]);
+        shadow.Fraction[p] = static_cast<float>(light[0]);
+        shadow.Irradiance[p] = static_cast<float>(light[1]);
+      }
     }
   });
+  if (!hasDiffuseLight(clouds))
+  {
+    shadow.Irradiance.clear();
+  }
   return shadow;
 }
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Direct sunlight that other data let through. */
+/** Light that other data let through. */
 #ifndef nephoscope_CloudShadow_h
 #define nephoscope_CloudShadow_h
 
@@ -12,11 +12,18 @@ class vtkDataSet;
 
 namespace nephoscope
 {
+/** What clouds leave of the light, at each of some places. */
+struct CloudShadow
+{
+  std::vector<float> Fraction; ///< of sunlight; empty: the clouds have no array SunTransmittance
+  std::vector<float>
+    Irradiance; ///< by sun and diffuse light; negative: not known, as beside the clouds. Empty: they have no diffuse light
+};
+
 /**
- * The fraction of sunlight that reaches the places through clouds with the array SunTransmittance: inside their mesh that array, below it the array where
- * the ray towards the sun, of length 1, enters the mesh; 1 elsewhere. Empty: the clouds have no such array.
+ * Inside the mesh of lit clouds their light is that of its arrays; below it that where the ray towards the sun, of length 1, enters the mesh. Elsewhere all sunlight arrives.
  */
-std::vector<float> cloudShadow(
+CloudShadow cloudShadow(
   vtkDataSet* clouds, const std::vector<Place>& places, const Place& towardsSun);
 }
 

@@ -41,7 +41,7 @@ DiffuseLight diffuseLight(const LightGrid& grid, const LightSettings& settings,
     ++light.Iterations;
   } while (progress(double(light.Iterations) / settings.MostIterations) &&
     light.Change > settings.Tolerance && light.Iterations < settings.MostIterations);
-  balance.CutNegative(light.Field);
+  balance.Finish(light.Field);
   light.Absorption = balance.Absorption();
   return light;
 }

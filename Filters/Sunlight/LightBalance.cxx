@@ -303,13 +303,20 @@ void LightBalance::WritePoint(
   {
     const Boundary& below = this->Ground[p];
     field.Flux[p][2] = static_cast<float>(below.Area > 0 ? -below.Out(here) / below.Area : 0);
-    const double beam = std::max(-this->Grid.SunAt(p)[2], 0.0f) * this->Grid.BeamAt(p);
     if (white < 0.5)
     {
-      const double down = (white * beam - field.Flux[p][2]) / (1 - white);
-      field.Vertical[p] = static_cast<float>(2 * down + field.Flux[p][2]);
+      this->SettleGround(p, field);
     }
   }
+}
+
+// What comes down is what the ground takes, divided by the fraction of it that the ground takes: errors of the flux grow by that.
+void LightBalance::SettleGround(std::size_t p, DiffuseField& field) const
+{
+  const double white = this->Grid.GroundAlbedo,
+               beam = std::max(-this->Grid.SunAt(p)[2], 0.0f) * this->Grid.BeamAt(p),
+               down = (white * beam - field.Flux[p][2]) / (1 - white);
+  field.Vertical[p] = static_cast<float>(2 * down + field.Flux[p][2]);
 }
 
 void LightBalance::CloseSeam(DiffuseField& field) const
@@ -358,9 +365,13 @@ void LightBalance::SpreadDebt(std::vector<double>& power) const
   }
 }
 
-void LightBalance::CutNegative(DiffuseField& field) const
+void LightBalance::Finish(DiffuseField& field) const
 {
   const std::size_t columns = this->Grid.Columns(), top = this->Grid.Points() - columns;
+  for (std::size_t p = 0; p < columns && this->Grid.GroundAlbedo <= 0.9; ++p)
+  {
+    this->SettleGround(p, field);
+  }
   for (const bool up : { false, true })
   {
     const std::vector<Boundary>& areas = up ? this->Top : this->Ground;

@@ -36,8 +36,8 @@ public:
   /** Makes `field` the balanced one: by Eddington's approximation alone, or with what `ordinates` find different. */
   void Solve(const DiffuseField* ordinates, DiffuseField& field, double reduction);
 
-  /** Cuts off light below 0 at top and ground, and takes it from the columns beside. */
-  void CutNegative(DiffuseField& field) const;
+  /** After the last Solve: light down on bright ground in balance, too, which would not converge in between; light below 0 at top and ground is taken from the columns beside. */
+  void Finish(DiffuseField& field) const;
 
   /** Power absorbed in the box around each point, per volume. */
   std::vector<float> Absorption() const;
@@ -88,6 +88,7 @@ private:
   void WritePoint(
     std::size_t p, const Index& at, const DiffuseField* ordinates, DiffuseField& field) const;
   void SpreadDebt(std::vector<double>& power) const;
+  void SettleGround(std::size_t p, DiffuseField& field) const;
   void CloseSeam(DiffuseField& field) const;
 
   const LightGrid& Grid;

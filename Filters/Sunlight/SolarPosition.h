@@ -4,6 +4,7 @@
 #ifndef nephoscope_SolarPosition_h
 #define nephoscope_SolarPosition_h
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -16,24 +17,51 @@ struct SubsolarPoint
   double Longitude = 0, Latitude = 0; // degrees
 };
 
-// Days since 2000-01-01 12:00 UTC of "2011-10-11 18:30", "2011-10-11T18:30:00Z" or "2011-10-11"; false if it is none.
+inline int daysOfMonth(int year, int month)
+{
+  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  constexpr int days[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
+  return month == 2 && leap ? 29 : days[month - 1];
+}
+
+// Minutes east of UTC of "", "Z", " UTC", "+02:00", "-0500" or "+02"; false if it is none.
+inline bool offsetOf(const std::string& text, int& minutes)
+{
+  minutes = 0;
+  const std::string zone = text.substr(std::min(text.find_first_not_of(' '), text.size()));
+  if (zone.empty() || zone == "Z" || zone == "z" || zone == "UTC" || zone == "GMT")
+  {
+    return true;
+  }
+  char sign = 0;
+  int hours = 0, rest = 0, end = 0;
+  const bool withColon = std::sscanf(zone.c_str(), "%c%2d:%2d%n", &sign, &hours, &rest, &end) == 3;
+  const bool valid =
+    withColon || std::sscanf(zone.c_str(), "%c%2d%n%2d%n", &sign, &hours, &end, &rest, &end) >= 2;
+  minutes = (sign == '-' ? -1 : 1) * (60 * hours + rest);
+  return valid && (sign == '+' || sign == '-') && end == int(zone.size()) && hours >= 0 &&
+    hours < 24 && rest >= 0 && rest < 60;
+}
+
+// Days since 2000-01-01 12:00 UTC of "2011-10-11 18:30", "2011-10-11T18:30:00Z", "2011-10-11 20:30+02:00" or "2011-10-11"; false if it is none.
 inline bool daysOf(const std::string& text, double& days)
 {
-  int year = 0, month = 0, day = 0, hour = 0, minute = 0;
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, east = 0, end = 0;
   double second = 0;
   char separator = ' ';
-  const int found = std::sscanf(
-    text.c_str(), "%d-%d-%d%c%d:%d:%lf", &year, &month, &day, &separator, &hour, &minute, &second);
-  const bool valid = found >= 3 && found != 4 && found != 5 && month >= 1 && month <= 12 &&
-    day >= 1 && day <= 31 && hour >= 0 && hour < 25 && minute >= 0 && minute < 60 && second >= 0 &&
-    second < 61;
+  const int found = std::sscanf(text.c_str(), "%d-%d-%d%n%c%d:%d%n:%lf%n", &year, &month, &day,
+    &end, &separator, &hour, &minute, &end, &second, &end);
+  const bool hasTime = found >= 6 && (separator == ' ' || separator == 'T');
+  const bool valid = (found == 3 || hasTime) && month >= 1 && month <= 12 && day >= 1 &&
+    day <= daysOfMonth(year, month) && hour >= 0 && hour < 25 && minute >= 0 && minute < 60 &&
+    second >= 0 && second < 61 && offsetOf(text.substr(end), east);
   if (!valid)
   {
     return false;
   }
   const int a = (14 - month) / 12, y = year + 4800 - a, m = month + 12 * a - 3;
   const int julian = day + (153 * m + 2) / 5 + 365 * y + y / 4 - y / 100 + y / 400 - 32045;
-  days = julian - 2451545.0 + (hour - 12) / 24.0 + minute / 1440.0 + second / 86400.0;
+  days = julian - 2451545.0 + (hour - 12) / 24.0 + (minute - east) / 1440.0 + second / 86400.0;
   return true;
 }
 

@@ -29,8 +29,8 @@ public:
   }
 
   double Height() const { return this->Z; }
-  /** The first field, where the ray is. */
-  double Value() const { return this->Here[0]; }
+  /** The fields where the ray is. */
+  std::array<double, 2> Values() const { return { { this->Here[0], this->Here[1] } }; }
   double Across(int axis) const { return axis == 0 ? this->X : this->Y; }
   /** Whether less than 1e-17 of the light goes on, so that the rest of the way changes nothing. */
   bool IsDark() const { return this->Sums[1] > 40; }

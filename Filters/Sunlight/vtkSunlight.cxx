@@ -148,6 +148,21 @@ bool vtkSunlight::IsSurfaceBelowClouds(vtkDataSet* data)
   return true;
 }
 
+// Light straight from the sun is scattered with the whole phase function, that which has been scattered straight on before with the scaled one (README.md).
+double vtkSunlight::PhaseTowardsEye(const Work& work, std::size_t p, double cosine) const
+{
+  const double scaled = work.Asymmetry[p], once = nephoscope::henyeyGreenstein(scaled, cosine),
+               light = std::exp(-double(work.ScaledDepth[p]));
+  if (!this->MultipleScattering || !(light > 0))
+  {
+    return once;
+  }
+  const double whole = scaled / (1 - scaled); // the asymmetry parameter that was scaled
+  const double straight = std::min(work.Transmittance[p] / light, 1.0);
+  return straight * nephoscope::henyeyGreenstein(whole, cosine) / (1 - whole * whole) +
+    (1 - straight) * once;
+}
+
 // Irradiance from the sky, which fades with twilight.
 float vtkSunlight::SkyAt(const std::array<double, 3>& place, const Work& work) const
 {
@@ -242,7 +257,9 @@ bool vtkSunlight::Shade(Work& work)
   {
     return true;
   }
-  work.Shadow = nephoscope::cloudShadow(clouds, work.Places, work.Sun);
+  nephoscope::CloudShadow shadow = nephoscope::cloudShadow(clouds, work.Places, work.Sun);
+  work.Shadow = std::move(shadow.Fraction);
+  work.BelowClouds = std::move(shadow.Irradiance);
   vtkDataArray* sun = clouds->GetFieldData()->GetArray("SunDirection");
   if (work.Shadow.empty() && !work.Places.empty())
   {
@@ -281,8 +298,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
           toEye[c] -= work.Places[p][c];
         }
         const double length = std::max(std::sqrt(dot(toEye, toEye)), 1e-300);
-        beam =
-          nephoscope::henyeyGreenstein(double(work.Asymmetry[p]), -dot(toEye, work.Sun) / length);
+        beam = this->PhaseTowardsEye(work, p, -dot(toEye, work.Sun) / length);
         flux = 3 * work.Asymmetry[p] *
           (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) /
           length;
@@ -292,7 +308,9 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
       extinction->SetValue(p, work.Scaled[p]);
       transmittance->SetValue(p, static_cast<float>(shadow * work.Transmittance[p]));
       const std::array<double, 3> up = work.Planet.UpAt(work.Places[p]);
-      const double arriving = std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p];
+      const bool isBelow = this->OnSurface && !work.BelowClouds.empty() && work.BelowClouds[p] >= 0;
+      const double arriving =
+        isBelow ? work.BelowClouds[p] : std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p];
       irradiance->SetValue(p, static_cast<float>(arriving));
       light->SetValue(p, static_cast<float>(this->OnSurface ? arriving : source));
       upward->SetValue(p, work.Up[p]);
@@ -307,11 +325,15 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
       static_cast<nephoscope::PhaseKind>(this->PhaseFunction));
   }
   data->GetPointData()->SetActiveScalars("Sunlight");
-  vtkNew<vtkDoubleArray> sun;
-  sun->SetName("SunDirection");
-  sun->SetNumberOfComponents(3);
-  sun->InsertNextTuple(work.Sun.data());
-  data->GetFieldData()->AddArray(sun);
+  const auto addDirection = [data](const char* name, const std::array<double, 3>& direction) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(3);
+    array->InsertNextTuple(direction.data());
+    data->GetFieldData()->AddArray(array);
+  };
+  addDirection("SunDirection", work.Sun);
+  addDirection("Up", work.Planet.Up);
 }
 
 // All that light depends on but the eye.

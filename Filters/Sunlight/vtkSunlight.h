@@ -30,14 +30,14 @@
  *
  * The second input, which is optional, is clouds that have their light: in their shadow there is less sunlight. Light that
  * they scatter does not reach the data. With clouds, data without an extinction and without three-dimensional cells, such as the ground, get the light that reaches
- * them: Sunlight is then the irradiance by sun and sky.
+ * them: Sunlight is then the irradiance by sun, sky and the diffuse light of the clouds.
  *
  * The third input, which is optional, is a vtkSunSource: its sun takes the place of SunDirection and DateTime.
  *
  * On several ranks, each computes the light of a whole image, rectilinear or structured grid and keeps its piece, so that clouds of all ranks cast their
  * shadows. Each rank lights its own piece of other data alone, with a warning.
  *
- * Field data: SunDirection, three components, towards the sun.
+ * Field data: SunDirection and Up, three components each, towards the sun and upwards from flat ground. Data without a medium below clouds take the Up of these.
  */
 #ifndef vtkSunlight_h
 #define vtkSunlight_h
@@ -223,10 +223,11 @@ private:
     vtkDataSet* data, const std::array<double, 3>& sun, const std::array<double, 3>& sunOnGlobe);
   bool Check(vtkDataSet* data);
   bool CheckUp();
-  nephoscope::Planet PlanetOf(vtkDataSet* data) const;
+  nephoscope::Planet PlanetOf(vtkDataSet* data);
   bool HasExtinction(vtkDataSet* data) const;
   void TakeForClearAir(vtkDataSet* data);
   bool IsSurfaceBelowClouds(vtkDataSet* data);
+  double PhaseTowardsEye(const Work& work, std::size_t p, double cosine) const;
   float SkyAt(const std::array<double, 3>& place, const Work& work) const;
   bool Compute(vtkDataSet* data, Work& work);
   bool AddLight(vtkDataSet* data, vtkDataSet* input);

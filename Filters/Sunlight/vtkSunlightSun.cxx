@@ -12,6 +12,7 @@
 
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -19,11 +20,17 @@
 
 using nephoscope::dot;
 
-nephoscope::Planet vtkSunlight::PlanetOf(vtkDataSet* data) const
+// A surface below clouds has their Up.
+nephoscope::Planet vtkSunlight::PlanetOf(vtkDataSet* data)
 {
-  const double length = std::hypot(std::hypot(this->Up[0], this->Up[1]), this->Up[2]);
-  return nephoscope::planetOf(
-    data, { { this->Up[0] / length, this->Up[1] / length, this->Up[2] / length } });
+  nephoscope::Vector3 up{ { this->Up[0], this->Up[1], this->Up[2] } };
+  vtkDataObject* clouds = this->OnSurface ? this->GetInputDataObject(1, 0) : nullptr;
+  vtkDataArray* upOfClouds = clouds ? clouds->GetFieldData()->GetArray("Up") : nullptr;
+  if (upOfClouds && upOfClouds->GetNumberOfComponents() == 3 && upOfClouds->GetNumberOfTuples() > 0)
+  {
+    upOfClouds->GetTuple(0, up.data());
+  }
+  return nephoscope::planetOf(data, nephoscope::normalized(up));
 }
 
 // A map that is told no place has the sun of longitude and latitude 0, perhaps at night.

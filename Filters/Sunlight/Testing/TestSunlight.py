@@ -238,6 +238,17 @@ class Slab(unittest.TestCase):
         self.assertAlmostEqual(self.slab(0.0, GroundAlbedo=0.5)[0], 0.5, delta=1e-3)
         self.assertLess(self.slab(50, albedo=0.0)[0], 1e-3)
 
+    def test_snow_below_thick_clouds(self):
+        """What bright ground absorbs is what is not reflected; the light on it is that of Eddington's approximation, R = R0 + A T0^2 / (1 - A R0)."""
+        for depth in (50, 100, 200, 300):
+            for white in (0.6, 0.8, 0.9):
+                with self.subTest(depth, white=white):
+                    reflected, arriving = self.slab(depth, sun=(0.7, 0, 0.714), GroundAlbedo=white)
+                    reflected, arriving = (x / 0.714 * np.hypot(0.7, 0.714) for x in (reflected, arriving))
+                    self.assertAlmostEqual(reflected + (1 - white) * arriving, 1, delta=5e-3)
+                    through = eddington(depth, 1.0, 0.85, 0.714 / np.hypot(0.7, 0.714))[1]
+                    self.assertAlmostEqual(arriving, through / (1 - white * (1 - 4 / (4 + 3 * 0.15 * depth))), delta=0.04)
+
     def test_unstructured_is_near(self):
         data = image((9, 9, 9), (0.125,) * 3, lambda x, y, z: 8 * np.exp(-20 * ((x - 0.5) ** 2 + (y - 0.5) ** 2 + (z - 0.5) ** 2)))
         divider = vtkDataSetTriangleFilter()

@@ -57,9 +57,9 @@ def check_ground():
     plane = pvs.Plane(Origin=[-20, -20, -5], Point1=[20, -20, -5], Point2=[-20, 20, -5], XResolution=50, YResolution=50)
     ground = pvs.Sunlight(Input=plane, Clouds=clouds, SunDirection=[1, 0, 1])
     colours = pvs.Show(ground, view).ColorArrayName
-    least, most = ground.PointData["Sunlight"].GetRange()
-    print(f"ground: {least:.3f} to {most:.3f}", flush=True)
-    check(colours[1] == "Sunlight" and least < 0.4 and most > 0.7, f"the ground has {colours[1]} from {least} to {most}")
+    (least, most), (darkest, _) = (ground.PointData[name].GetRange() for name in ("Sunlight", "SunTransmittance"))
+    print(f"ground: {least:.3f} to {most:.3f}, at least {darkest:.3f} of the beam", flush=True)
+    check(colours[1] == "Sunlight" and least < 0.7 and most > 0.75 and darkest < 0.4, f"the ground has {colours[1]} from {least} to {most}, {darkest} of the beam")
     check(not messages, f"{messages}")
     pvs.Delete(view)
 
