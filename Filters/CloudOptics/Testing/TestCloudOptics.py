@@ -104,6 +104,20 @@ class CloudOptics(unittest.TestCase):
         land = values(optics_of(column(qc=1e-4, lsm=1, t=280, p=85000))[0], "LiquidEffectiveRadius")
         np.testing.assert_allclose(land, whole * (80 / (67 * 3)) ** (1 / 3), rtol=1e-6)
 
+    def test_percent_and_kilopascals(self):
+        """By the units, or by values that no fraction and no hPa of clouds have."""
+        expected = {cover: values(optics_of(column(qc=1e-4, cc=cover, lsm=cover, t=280, p=85000))[0]) for cover in (0.125, 0.75)}
+        for cover, beta in expected.items():
+            for options in ({"cc": 100 * cover, "lsm": 100 * cover, "p": 85000}, {"cc": cover, "lsm": cover, "p": 850}, {"cc": cover, "lsm": cover, "p": 85}):
+                np.testing.assert_allclose(values(optics_of(column(qc=1e-4, t=280, **options))[0]), beta, rtol=1e-5)
+        small = column(qc=1e-4, cc=1.0, lsm=1.0, t=280, p=85)  # one percent; a high cloud in hPa
+        for name, text in (("cc", "%"), ("lsm", "%"), ("p", "hPa")):
+            units = vtkStringArray()
+            units.SetName(f"{name}_units")
+            units.InsertNextValue(text)
+            small.GetFieldData().AddArray(units)
+        np.testing.assert_allclose(values(optics_of(small)[0]), values(optics_of(column(qc=1e-4, cc=0.01, lsm=0.01, t=280, p=8500))[0]), rtol=1e-5)
+
     def test_rain_and_snow_add(self):
         output = values(optics_of(column(qr=1e-3, qs=1e-3, t=280), WaterUnits=3)[0])
         rain, snow = 1.5e-3 / (1000 * 0.66992e-3), 1.5e-3 / (100 * 1.5 * (1e-3 / (np.pi * 100 * 3e6)) ** 0.25)
@@ -126,7 +140,7 @@ class CloudOptics(unittest.TestCase):
                                     (column(qc=1e-4, p=85000), {}, "TemperatureArrayName"),
                                     (column(qc=1e-4, t=280), {}, "HeightArrayName"),
                                     (column(qc=0.3, t=280, p=85000), {}, "g/kg"), (column(qc=0.1, t=280, p=85000), {}, "g/kg"),
-                                    (column(qc=1e-4, t=[7, 8, 9], p=85000), {}, "'t' has values up to 9.0"),
+                                    (column(qc=1e-4, t=[7, 8, 9], p=85000), {}, "'t' has values up to 9.0"), (column(qc=1e-4, t=10, p=85000), {}, "'t' has values up to 10.0"),
                                     (column(qc=1e-4, t=280, p=85000), {"IceArrayName": "cheese"}, "'cheese'")):
             output, messages = optics_of(data, **options)
             self.assertEqual(len(messages.all), 1, word)

@@ -42,6 +42,19 @@ class SunSource(unittest.TestCase):
             np.testing.assert_allclose(direction_of(source.GetOutput(), name), (0, 0.6, 0.8))
         self.assertEqual(source.GetOutput().GetNumberOfPoints(), 0)
 
+    def test_dates(self):
+        """Offsets from UTC count; days that there are not, and what is left over, are no dates."""
+        def direction(date):
+            source = sun(DateTime=date)
+            with Messages() as messages:
+                source.Update()
+            return None if messages.errors else direction_of(source.GetOutput())
+        expected = direction("2020-02-29 18:30")
+        for date in ("2020-02-29T18:30Z", "2020-02-29 18:30:00 UTC", "2020-02-29T20:30:00+02:00", "2020-02-29 13:30 -0500", "2020-03-01T00:00:00.000+05:30", "2020-02-29 18:30:00.0-00"):
+            np.testing.assert_allclose(direction(date), expected, atol=1e-9, err_msg=date)
+        for date in ("2020-02-30", "2021-02-29", "2024-06-31 12:00", "2020-02-29 06:30 PM", "2020-02-29 18:30 CET", "2020-02-29 18:30+2 h", "2020-02-29 18:30:00+25:00", "2020-02-29x18:30", "2020-13-01"):
+            self.assertIsNone(direction(date), date)
+
     def test_takes_the_place_of_the_sun_of_the_filter(self):
         light = lit(self.cloud, sun(SunDirection=(0, 3, 4)), SunDirection=(1, 0, 1), DateTime="2011-10-11 12:00")
         light.Update()

@@ -249,6 +249,15 @@ class Slab(unittest.TestCase):
                     through = eddington(depth, 1.0, 0.85, 0.714 / np.hypot(0.7, 0.714))[1]
                     self.assertAlmostEqual(arriving, through / (1 - white * (1 - 4 / (4 + 3 * 0.15 * depth))), delta=0.04)
 
+    def test_single_scattering_of_a_thin_slab(self):
+        """Its radiance for an eye overhead is that of the phase function itself, tau P / 4, although the solver scales it."""
+        asymmetry, depth, mu = 0.85, 0.02, 0.8
+        data = image((3, 3, 41), (1000, 1000, 1 / 40), lambda x, y, z: 0 * x + depth)
+        output, _ = light_of(data, (0.6, 0, mu), UseViewPosition=True, ParallelView=True, ViewPosition=(0, 0, 1), GroundAlbedo=0, SkyLight=0, Asymmetry=asymmetry)
+        radiance = np.trapz((values(output, "Sunlight") * values(output, "ScaledExtinction")).reshape(41, 9)[:, 4], dx=1 / 40)
+        phase = (1 - asymmetry ** 2) / (1 + asymmetry ** 2 + 2 * asymmetry * mu) ** 1.5
+        self.assertAlmostEqual(radiance / (0.25 * phase * depth), 1, delta=0.1)
+
     def test_unstructured_is_near(self):
         data = image((9, 9, 9), (0.125,) * 3, lambda x, y, z: 8 * np.exp(-20 * ((x - 0.5) ** 2 + (y - 0.5) ** 2 + (z - 0.5) ** 2)))
         divider = vtkDataSetTriangleFilter()
@@ -426,6 +435,33 @@ class Ground(unittest.TestCase):
         volume.GetPointData().RemoveArray("Extinction")
         for data, clouds in ((volume, lit), (plane.GetOutput(), None)):
             self.assertIn("no array 'Extinction'", light_of(data, clouds=clouds)[1][0])
+
+    def test_overcast_ground(self):
+        """Below a thick layer with its diffuse light, a surface has the irradiance of the layer's base, below it and inside."""
+        layer = image((9, 9, 21), (1000, 1000, 50), lambda x, y, z: 0 * x + 0.01, (-4000, -4000, 500))
+        lit = light_of(layer, (0.6, 0, 0.8))[0]
+        base = values(lit, "Irradiance").reshape(21, 9, 9)[0, 4, 4]
+        self.assertGreater(base, 20 * 0.8 * values(lit, "SunTransmittance").reshape(21, 9, 9)[0, 4, 4])
+        for height in (0, 500):
+            plane = vtkPlaneSource()
+            plane.SetOrigin(-500, -500, height)
+            plane.SetPoint1(500, -500, height)
+            plane.SetPoint2(-500, 500, height)
+            plane.Update()
+            np.testing.assert_allclose(values(light_of(plane.GetOutput(), (0.6, 0, 0.8), clouds=lit)[0], "Irradiance"), base, rtol=0.02)
+
+    def test_up_is_that_of_the_clouds(self):
+        """On ground across from y, in the sun along it, beside clouds whose y is up."""
+        clouds = light_of(image((3, 3, 3), (1, 1, 1), lambda x, y, z: 0 * x + 0.1), (0, 1, 0), Up=(0, 2, 0))[0]
+        np.testing.assert_array_equal(vtk_to_numpy(clouds.GetFieldData().GetArray("Up"))[0], (0, 1, 0))
+        plane = vtkPlaneSource()
+        plane.SetOrigin(10, -5, 0)
+        plane.SetPoint1(11, -5, 0)
+        plane.SetPoint2(10, -5, 1)
+        plane.Update()
+        output, messages = light_of(plane.GetOutput(), (0, 1, 0), clouds=clouds, SkyLight=0)
+        self.assertEqual(messages, [])
+        np.testing.assert_allclose(values(output, "Irradiance"), 1)
 
     def test_planet(self):
         """Below a shell from 1 to 1.1, a place on a smaller sphere; its facets are flat."""
