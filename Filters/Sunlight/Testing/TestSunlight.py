@@ -254,7 +254,8 @@ class Slab(unittest.TestCase):
         asymmetry, depth, mu = 0.85, 0.02, 0.8
         data = image((3, 3, 41), (1000, 1000, 1 / 40), lambda x, y, z: 0 * x + depth)
         output, _ = light_of(data, (0.6, 0, mu), UseViewPosition=True, ParallelView=True, ViewPosition=(0, 0, 1), GroundAlbedo=0, SkyLight=0, Asymmetry=asymmetry)
-        radiance = np.trapz((values(output, "Sunlight") * values(output, "ScaledExtinction")).reshape(41, 9)[:, 4], dx=1 / 40)
+        emitted = (values(output, "Sunlight") * values(output, "ScaledExtinction")).reshape(41, 9)[:, 4]
+        radiance = 0.5 * (emitted[1:] + emitted[:-1]).sum() / 40
         phase = (1 - asymmetry ** 2) / (1 + asymmetry ** 2 + 2 * asymmetry * mu) ** 1.5
         self.assertAlmostEqual(radiance / (0.25 * phase * depth), 1, delta=0.1)
 
@@ -549,7 +550,8 @@ class Orientation(unittest.TestCase):
     def test_closed_axis(self):
         """A globe whose second or third index goes around."""
         data = globe(3.0)
-        n = data.GetDimensions()
+        n = [0, 0, 0]
+        data.GetDimensions(n)  # which VTK 9.6 does not return
         expected = values(light_of(data, (1, 0.4, 0.3))[0], "Sunlight").reshape(n[::-1])
         for order in ((0, 2, 1), (2, 1, 0), (1, 2, 0)):
             def there(a, order=order):

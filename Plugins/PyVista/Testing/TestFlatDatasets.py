@@ -55,7 +55,8 @@ class FlatDatasets(unittest.TestCase):
             with self.subTest(**options):
                 plotter = self.plotter()
                 self.warm().isel(time=0).nephoscope.plot("ta", plotter=plotter, **options)
-                drawn = [actor.mapper.dataset for actor in plotter.renderer.actors.values() if hasattr(actor, "mapper") and "ta" in getattr(actor.mapper.dataset, "array_names", ())]
+                meshes = [getattr(getattr(actor, "mapper", None), "dataset", None) for actor in plotter.renderer.actors.values()]
+                drawn = [mesh for mesh in meshes if "ta" in getattr(mesh, "array_names", ())]
                 self.assertEqual([isinstance(mesh, pyvista.PolyData) for mesh in drawn], [faces])
                 self.assertEqual("outer faces" in next(iter(plotter.scalar_bars.values())).GetTitle(), faces)
                 if faces:
