@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ActiveSourceArrays.h"
 
-#include "vtkDataObject.h"
 #include "vtkPVDataInformation.h"
 #include "vtkSMArrayListDomain.h"
 #include "vtkSMOutputPort.h"
@@ -28,12 +27,6 @@ vtkPVDataInformation* dataOfActiveSource(vtkSMSessionProxyManager* manager)
   }
   auto* source = vtkSMSourceProxy::SafeDownCast(current);
   return source ? source->GetDataInformation() : nullptr;
-}
-
-bool hasArray(vtkPVDataInformation* data, const char* name)
-{
-  return data->GetArrayInformation(name, vtkDataObject::POINT) ||
-    data->GetArrayInformation(name, vtkDataObject::CELL);
 }
 
 vtkPVDataInformation* dataOfInput(vtkSMProxy* filter)
@@ -63,8 +56,11 @@ void forgetArraysOfActiveSource(vtkSMProxy* filter)
     {
       continue;
     }
-    const char* name = vtkSMPropertyHelper(chosen).GetInputArrayNameToProcess();
-    if (name && *name && hasArray(active, name) && !hasArray(input, name))
+    const vtkSMPropertyHelper array(chosen);
+    const char* name = array.GetInputArrayNameToProcess();
+    const int association = array.GetInputArrayAssociation();
+    if (name && *name && active->GetArrayInformation(name, association) &&
+      !input->GetArrayInformation(name, association))
     {
       chosen->ResetToDomainDefaults();
     }

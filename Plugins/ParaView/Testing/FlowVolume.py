@@ -91,6 +91,12 @@ def check_place():
     check(np.allclose(smoke.Normal, (1, 0, 0), atol=1e-6), f"the normal is {list(smoke.Normal)}")
     check_number(smoke.Radius, 20 * np.sqrt(3) / 50, "radius")
     check(output_of(smoke).GetNumberOfCells() > 1000, "no smoke from the place that was found")
+    on_cells = pvs.PointDatatoCellData(Input=jet)
+    on_cells.UpdatePipeline()
+    for number in range(3):  # the smoke before, which is active, has the velocity at points
+        another = pvs.FlowVolume(Input=on_cells)
+        check(list(another.Velocity) == ["CELLS", "wind"] and another.Radius > 0, f"smoke {number} of a velocity on cells: {list(another.Velocity)}, radius {another.Radius}")
+        another.UpdatePipeline()
     chosen = pvs.FlowVolume(Input=jet, Center=[1, 2, 3], Radius=0.5)
     check(list(chosen.Center) == [1, 2, 3] and chosen.Radius == 0.5, "a place from a script is overridden")
 
