@@ -2,12 +2,16 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """add_cells(sun=...): exposure and contrast with nothing set, names and units of water, messages."""
+import contextlib
+import importlib
 import unittest
 import warnings
+from datetime import datetime, timedelta, timezone
 
 import nephoscope
 import numpy as np
 import pyvista
+from nephoscope._dates import options_of
 from nephoscope.light import automatic_white, lit
 from nephoscope.weather.roles import ROLES
 
@@ -205,6 +209,30 @@ class Exposure(unittest.TestCase):
         np.testing.assert_array_equal(lit["Sunlight"], nephoscope.sunlight(mesh, time="2011-10-11 10:00")["Sunlight"])
         with self.assertRaisesRegex(ValueError, "direction is '2011.*; it must be three numbers"):
             nephoscope.sunlight(mesh, "2011-10-11 10:00", time="2011-10-11 11:00")
+
+
+class Dates(unittest.TestCase):
+    def test_dates_of_libraries(self):
+        """Each is the same sun as the text; those with a time zone are converted to UTC, the others are in UTC."""
+        dates = [datetime(2024, 6, 21, 16, 30), datetime(2024, 6, 21, 18, 30, tzinfo=timezone(timedelta(hours=2))), np.datetime64("2024-06-21T16:30"), np.array("2024-06-21T16:30:00", "M8[ns]")]
+        for library, name, options in (("pandas", "Timestamp", {}), ("pandas", "Timestamp", {"tz": "UTC"}), ("cftime", "DatetimeGregorian", {})):
+            with contextlib.suppress(ImportError):
+                dates.append(getattr(importlib.import_module(library), name)(2024, 6, 21, 16, 30, **options))
+        mesh, text, place = lumps(), "2024-06-21 16:30:00", {"place": (11, 48), "multiple_scattering": False}
+        expected = mesh.nephoscope.sunlight(text, **place).field_data["SunDirection"]
+        for date in dates:
+            with self.subTest(repr(date)), warnings.catch_warnings():
+                warnings.filterwarnings("ignore", "sun is a date and time without a place", RuntimeWarning)
+                for lit_mesh in (mesh.nephoscope.sunlight(date, **place), nephoscope.sunlight(mesh, time=date, **place), lit(mesh, {"time": date, **place})):
+                    np.testing.assert_array_equal(lit_mesh.field_data["SunDirection"], expected)
+                np.testing.assert_array_equal(lit(mesh, date).field_data["SunDirection"], lit(mesh, text).field_data["SunDirection"])
+                one, other = (nephoscope.add_haze(pyvista.Plotter(), mesh, sun=sun).GetSunDirection() for sun in (date, text))
+                self.assertEqual(one, other)
+                self.assertEqual(options_of(date), {"time": text})  # of satellite_image and plot
+
+    def test_no_date(self):
+        with self.assertRaisesRegex(ValueError, "sun is 'NaT'; it must be a date and time"):
+            lit(lumps(), np.datetime64("NaT"))
 
 
 class Splats(unittest.TestCase):

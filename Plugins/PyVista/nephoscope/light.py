@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import inspect
 import warnings
+from datetime import datetime
 from typing import Any, Callable, Literal, Mapping
 
 import numpy as np
@@ -13,6 +14,7 @@ import pyvista
 from . import vtkSunlight, vtkSunSource
 from ._blocks import cell_dimension
 from ._checks import arrays_of, choose, require_number
+from ._dates import as_time, options_of
 from ._fields import preset_of_field
 from ._medium import one_mesh
 from ._pipeline import set_input, vtk_messages
@@ -38,7 +40,7 @@ PROJECTIONS = ("globe", "map")  # numbered as in the field data GlobeGridProject
 FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 
-def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str = "", place: Numbers | None = None, up: Numbers | str = "z",
+def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *, time: str | datetime = "", place: Numbers | None = None, up: Numbers | str = "z",
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
              zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
@@ -52,10 +54,10 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
     mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray
         The mesh with the extinction, as `cloud_optics` makes it; smoke of `flow_volume` or `smoke_puffs`, which needs none; or with `clouds` a surface, such
         as the ground, that gets their shadows. It is not changed. A MultiBlock is combined into one grid, so that its blocks cast shadows on one another.
-    direction : sequence of 3 float or str, optional
+    direction : sequence of 3 float, str or datetime.datetime, optional
         Direction towards the sun in the coordinates of the mesh, or a date and time, as in `time`. Default: (1, -1, 1).
-    time : str, optional
-        Date and time in UTC, such as ``"2011-10-11 18:30"``, instead of a direction.
+    time : str or datetime.datetime, optional
+        Date and time in UTC, such as ``"2011-10-11 18:30"``, instead of a direction; also a date of NumPy, pandas or cftime. A datetime with a time zone is converted to UTC.
     place : sequence of 2 float, optional
         Longitude and latitude (degrees) of the place for which the sun is computed at `time`, if the mesh is not a globe from `to_globe`; x points east
         and y north there. Default: the middle of a map from `to_globe`, with a warning if it is wider than 30 degrees; otherwise (0, 0), with a warning.
@@ -107,6 +109,7 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | None = None, *, time: str
     RuntimeWarning
         For negative and missing extinctions, if the sun is below the horizon, and for a time without a place.
     """
+    direction, time = as_time(direction), as_time(time)
     if isinstance(direction, str) and not time:
         direction, time = None, direction
     options = dict(locals())
@@ -255,7 +258,7 @@ def lit(mesh: pyvista.DataSet, sun: Any, needs_cells: bool = True, resolve: Call
     if needs_cells and cell_dimension(mesh) < 3:
         raise ValueError(f"sun: a {type(mesh).__name__} without 3-D cells gives light no path. Compute the light on a grid, mesh.nephoscope.sunlight(), "
                          "sample it at the points, and pass sun=True.")
-    given = dict(sun) if isinstance(sun, Mapping) else {"time": sun} if isinstance(sun, str) else {} if sun is True else {"direction": sun}
+    given = options_of(sun)
     of_water, of_light = ({name: given.pop(name, value) for name, value in defaults.items()} for defaults in (_defaults(cloud_optics), {**_defaults(sunlight), **defaults}))
     if given:
         raise ValueError(f"sun has no option {next(iter(given))!r}; it has {', '.join(repr(name) for name in [*of_light, *of_water])}.")

@@ -15,6 +15,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from . import light_image, tone
 from ._checks import as_array, require_array, require_number
+from ._dates import options_of
 from ._medium import one_mesh
 from ._pipeline import level_of_caller
 from ._refined import fitting_factor, refined, step_of
@@ -203,8 +204,7 @@ def _lit_for(mesh: pyvista.DataSet, sun: Any, eye: dict[str, Any] | None, ground
         if light_image.planet_radius(mesh) > 0:
             _warn_of_steps(mesh)
         return mesh
-    options = dict(sun) if isinstance(sun, dict) else {} if sun is True else {"time": sun} if isinstance(sun, str) else {"direction": sun}
-    return lit(mesh, {"ground_albedo": ground_albedo, **(eye or {}), **options}, resolve=_resolved)
+    return lit(mesh, {"ground_albedo": ground_albedo, **(eye or {}), **options_of(sun)}, resolve=_resolved)
 
 
 def _resolved(mesh: pyvista.DataSet, names: list[str]) -> pyvista.DataSet:

@@ -3,11 +3,12 @@
 """The sun of a picture on a globe or a map: its place, and the variables of the water and the air by their roles."""
 from __future__ import annotations
 
-from typing import Any, Mapping
+from typing import Any
 
 import numpy as np
 import pyvista
 
+from .._dates import options_of
 from ..light import is_on_globe
 from .reading import Reading
 
@@ -17,7 +18,7 @@ SLANT = 45.0  # degrees from the zenith, of a sun without a date and a direction
 
 def sun_of(sun: Any, reading: Reading, grid: pyvista.DataSet) -> dict[str, Any]:
     """The argument `sun` of `add_cells`; what the user has given takes precedence."""
-    given = dict(sun) if isinstance(sun, Mapping) else {"time": sun} if isinstance(sun, str) else {} if sun is True else {"direction": sun}
+    given = options_of(sun)
     if not {"time", "direction"} & set(given):
         given["direction"] = _above(grid)
     if given.get("time") and not is_on_globe(grid):
