@@ -101,6 +101,31 @@ def glint(places, direction, sun, wind):
     return reflected * slopes / (4 * numpy.clip(-(direction * up).sum(-1), 0.15, 1) * tilt**4) * ((up @ sun) > 0)
 
 
+def at_ground(data, places, name, otherwise):
+    """The array at the lowest level of a structured globe above the positions; `otherwise` outside the grid."""
+    size = [0, 0, 0]
+    data.GetDimensions(size)
+    lowest = vtk_to_numpy(data.GetPoints().GetData()).reshape(size[2], size[1], size[0], 3)[0].astype(float)
+    values = vtk_to_numpy(data.GetPointData().GetArray(name)).reshape(size[2], size[1], size[0])[0].astype(float)
+    x, y = light_image.longitudes_latitudes(lowest)
+    at_x, at_y = light_image.longitudes_latitudes(places)
+    x = numpy.degrees(numpy.unwrap(numpy.radians(x[size[1] // 2])))
+    x, values = (x, values) if x[-1] > x[0] else (x[::-1], values[:, ::-1])
+    return bilinear(x, y[:, 0], values, x[0] + (at_x - x[0]) % 360, at_y, otherwise)
+
+
+def bilinear(x, y, values, at_x, at_y, otherwise):
+    if y[-1] < y[0]:
+        y, values = y[::-1], values[::-1]
+    inside = (at_x >= x[0]) & (at_x <= x[-1]) & (at_y >= y[0]) & (at_y <= y[-1])
+    i = numpy.clip(numpy.searchsorted(x, numpy.where(inside, at_x, x[0]), "right") - 1, 0, len(x) - 2)
+    j = numpy.clip(numpy.searchsorted(y, numpy.where(inside, at_y, y[0]), "right") - 1, 0, len(y) - 2)
+    a = numpy.where(inside, (at_x - x[i]) / (x[i + 1] - x[i]), 0)
+    b = numpy.where(inside, (at_y - y[j]) / (y[j + 1] - y[j]), 0)
+    mixed = (1 - b) * ((1 - a) * values[j, i] + a * values[j, i + 1]) + b * ((1 - a) * values[j + 1, i] + a * values[j + 1, i + 1])
+    return numpy.where(inside, mixed, otherwise)
+
+
 class View:
     """A camera and the pixels of a picture, `samples` x `samples` rays in each."""
 
@@ -129,11 +154,11 @@ class View:
             light = light * self.tint(scattering, self.cloud_places(radius + 6000 * exaggeration))
         on_ground = numpy.isfinite(places[..., :1])
         cosine = light_image.zenith_cosine(clouds, places)
-        arriving = light_image.at_ground(clouds, places, "Irradiance", light_image.clear_irradiance(cosine, SKY_LIGHT))
+        arriving = at_ground(clouds, places, "Irradiance", light_image.clear_irradiance(cosine, SKY_LIGHT))
         albedo = ground_colours(places)
         ground = numpy.where(on_ground, albedo * (arriving[..., None] * self.tint(scattering, places)), 0)
         if wind is not None:
-            direct = light_image.at_ground(clouds, places, "SunTransmittance", numpy.where(cosine > 0, 1.0, 0.0))[..., None] * scattering.sunlight(numpy.nan_to_num(places, nan=1.0))
+            direct = at_ground(clouds, places, "SunTransmittance", numpy.where(cosine > 0, 1.0, 0.0))[..., None] * scattering.sunlight(numpy.nan_to_num(places, nan=1.0))
             ground = ground + numpy.where(on_ground & (albedo[..., 2:] > 1.3 * albedo[..., :1]), glint(places, self.direction, sun, wind)[..., None] * direct, 0)
         stop = numpy.linalg.norm(places - self.origin, axis=-1)
         glow, passing = (self.finer(x) for x in scattering.before(*(x[::self.samples, ::self.samples] for x in (self.origin, self.direction, stop))))

@@ -10,6 +10,7 @@ import nephoscope
 import numpy as np
 import pyvista
 from nephoscope import tone
+from nephoscope._ground_light import irradiance
 from nephoscope._refined import refined
 
 OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
@@ -71,6 +72,60 @@ class Slab(unittest.TestCase):
         self.assertEqual(reflectances, sorted(reflectances))
         self.assertGreater(reflectances[-1], 0.5)
         self.assertLess(reflectances[-1], 1)
+
+
+class Ground(unittest.TestCase):
+    def cloud(self):
+        """A flat cloud with an optical depth of 10 over the middle of the mesh."""
+        grid = pyvista.ImageData(dimensions=(33, 33, 17), spacing=(100, 100, 50))
+        x, y, z = grid.points.T
+        grid["Extinction"] = np.where((np.abs(x - 1600) < 450) & (np.abs(y - 1600) < 650) & (z > 380) & (z < 720), 0.03, 0.0)
+        return grid
+
+    def test_shadows_of_all_meshes(self):
+        grid = self.cloud()
+        meshes = {"image": grid, "rectilinear": grid.cast_to_rectilinear_grid(), "structured": grid.cast_to_structured_grid(), "unstructured": grid.cast_to_unstructured_grid()}
+        for sun in ((1, 0, 1), {"direction": (1, 0, 1), "sky_light": 0}):
+            images = {name: nephoscope.satellite_image(mesh, "nadir", sun=sun, size=(64, 64), ground_albedo=0.3).reflectance for name, mesh in meshes.items()}
+            sky = 0 if isinstance(sun, dict) else 0.08 * (np.sqrt(0.5) + 0.1) / 1.1
+            for name, image in images.items():
+                with self.subTest(name):
+                    shadow, clear = image[31, 15:20], image[5, 5:60]
+                    self.assertLess(shadow.max(), 0.6 * 0.3 * (np.sqrt(0.5) + sky))
+                    self.assertGreater(shadow.min(), 0.3 * sky + 0.01)  # clouds around it scatter light into it
+                    np.testing.assert_allclose(clear, 0.3 * (np.sqrt(0.5) + sky), rtol=0.12)
+                    np.testing.assert_allclose(image, images["structured"], atol=0.1)
+                    self.assertLess(np.abs(image - images["structured"]).mean(), 4e-3)
+
+    def test_shadow_beside_the_mesh(self):
+        """The light of the ground is that of sun and sky where the sun's ray meets no cloud, and of the sky where it does."""
+        cloud = pyvista.ImageData(dimensions=(9, 9, 5), spacing=(250, 250, 100), origin=(0, 0, 1000))
+        cloud["Extinction"] = np.full(cloud.n_points, 0.1)
+        lit = cloud.nephoscope.sunlight((1, 0, 1))
+        light = irradiance(lit, np.array([[-500.0, 1000, 0], [1000, 9000, 0], [np.nan] * 3]), 0.08)
+        sky = 0.08 * (np.sqrt(0.5) + 0.1) / 1.1
+        np.testing.assert_allclose(light, [sky, sky + np.sqrt(0.5), np.nan], atol=0.02)
+
+
+class Up(unittest.TestCase):
+    def test_nadir_is_down(self):
+        """A mesh with another axis upwards has the image of the mesh with z up, seen from the same side."""
+        grid = Ground().cloud()
+        grid["Extinction"] *= np.where(grid.points[:, 0] > 1700, 1, 0.5)
+        turned = grid.cast_to_structured_grid()
+        turned.points = grid.points[:, [0, 2, 1]] * (1, 1, -1)  # y is up, -z north
+        for view, seen in (("automatic", "automatic"), ((0.2, 0.1, 1), (0.2, 1, -0.1))):
+            options = {"size": (40, 40), "ground_albedo": 0.3}
+            expected = nephoscope.satellite_image(grid.cast_to_structured_grid(), view, sun=(0.6, 0.3, 1), **options)
+            image = nephoscope.satellite_image(turned, seen, sun={"up": "y", "direction": (0.6, 1, -0.3)}, **options)
+            np.testing.assert_allclose(image.reflectance, expected.reflectance, atol=2e-3)
+            np.testing.assert_allclose(image.sun_zenith, expected.sun_zenith, atol=1e-4)
+            np.testing.assert_allclose(image.y, expected.y, atol=1e-2)
+        np.testing.assert_array_equal(turned.points, grid.points[:, [0, 2, 1]] * (1, 1, -1))
+        lit = turned.nephoscope.sunlight((0.6, 1, -0.3), up="y", eye=(0, 1, 0), parallel=True, ground_albedo=0.3)
+        lit.field_data["Up"] = [(0.0, 1.0, 0.0)]
+        image = nephoscope.satellite_image(lit, **options)
+        np.testing.assert_allclose(image.reflectance, nephoscope.satellite_image(grid.cast_to_structured_grid(), sun=(0.6, 0.3, 1), **options).reflectance, atol=2e-3)
 
 
 class Globe(unittest.TestCase):
@@ -181,7 +236,7 @@ class CoarseGlobe(unittest.TestCase):
         self.assertAlike(lambda j, i: 1.0, 0.05)
 
     def test_light_between_points(self):
-        self.assertAlike(lambda j, i: 1.0 * ((i + 2 * j) % 3 == 0), 0.1)
+        self.assertAlike(lambda j, i: 1.0 * ((i + 2 * j) % 3 == 0), 0.14)  # where shadows end
 
     def test_light_of_a_coarse_mesh_is_told(self):
         lit = globe(1e-4).nephoscope.sunlight((1, 0, 0))

@@ -93,7 +93,9 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
     Returns
     -------
     pyvista.DataSet
-        The mesh with the point arrays ``Sunlight`` (1: a white surface that faces the sun), ``ScaledExtinction``, ``SunTransmittance`` and ``Irradiance``.
+        The mesh with the point arrays ``Sunlight`` (1: a white surface that faces the sun), ``ScaledExtinction`` (1/length of the mesh), ``SunTransmittance`` (fraction of the sun's beam
+        that arrives), ``Irradiance`` and ``UpwardIrradiance`` (of a horizontal surface, from above with the sun and from below; 1: the sun's), and ``AbsorbedLight`` (power that becomes
+        heat per volume, in the sun's irradiance/length of the mesh).
 
     Raises
     ------
@@ -149,9 +151,9 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
         _require_light(clouds, say("clouds"))
         set_input(light, clouds, 1)
         direction = clouds.field_data["SunDirection"][0] if direction is None and not time and "SunDirection" in clouds.field_data else direction
-    upwards = _upwards(up, say)
-    light.SetUp(*upwards)
-    light.SetSunDirection(*(_turned(light.GetSunDirection(), upwards) if direction is None else direction))
+    axis = upwards(up, say)
+    light.SetUp(*axis)
+    light.SetSunDirection(*(turned(light.GetSunDirection(), axis) if direction is None else direction))
     light.SetDateTime(str(time))
     if time and place is None and "GlobeGridProjection" not in mesh.field_data:
         warnings.warn(f"{say('time')} is a date and time without a place: the sun is that of longitude 0 and latitude 0. Give {say('place')}, the longitude and latitude; "
@@ -182,7 +184,7 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     return pyvista.wrap(light.GetOutput())
 
 
-def _upwards(up: Numbers | str, say: Callable[[str], str]) -> np.ndarray:
+def upwards(up: Numbers | str, say: Callable[[str], str]) -> np.ndarray:
     """The unit vector of an axis such as "-y", or of a vector."""
     axes = {sign + name: factor * np.eye(3)[axis] for sign, factor in (("", 1), ("+", 1), ("-", -1)) for axis, name in enumerate("xyz")}
     if isinstance(up, str):
@@ -195,7 +197,7 @@ def _upwards(up: Numbers | str, say: Callable[[str], str]) -> np.ndarray:
     return vector / np.linalg.norm(vector)
 
 
-def _turned(vector: Numbers, up: np.ndarray) -> np.ndarray:
+def turned(vector: Numbers, up: np.ndarray) -> np.ndarray:
     """A vector turned as z is, the shortest way to `up`."""
     if up[2] <= -1:
         return np.array(vector) * (1, -1, -1)

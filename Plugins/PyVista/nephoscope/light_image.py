@@ -187,36 +187,3 @@ def zenith_cosine(data: vtkDataSet, places: np.ndarray) -> np.ndarray:
 def clear_irradiance(cosine: np.ndarray, sky_light: float) -> np.ndarray:
     """The light that reaches the ground without clouds."""
     return np.maximum(cosine, 0) + sky_light * np.clip((cosine + SKY_BELOW) / (1 + SKY_BELOW), 0, 1)
-
-
-def at_ground(data: vtkDataSet, places: np.ndarray, name: str, otherwise: np.ndarray) -> np.ndarray:
-    """The array at the lowest level of a structured grid above the positions; `otherwise` outside the grid, and for other data."""
-    size = [0, 0, 0]
-    if not isinstance(data, vtkStructuredGrid):
-        return otherwise
-    data.GetDimensions(size)
-    lowest = vtk_to_numpy(data.GetPoints().GetData()).reshape(size[2], size[1], size[0], 3)[0].astype(float)
-    values = vtk_to_numpy(data.GetPointData().GetArray(name)).reshape(size[2], size[1], size[0])[0].astype(float)
-    if planet_radius(data) > 0:
-        x, y = longitudes_latitudes(lowest)
-        at_x, at_y = longitudes_latitudes(places)
-        middle = size[1] // 2
-        x = np.degrees(np.unwrap(np.radians(x[middle])))
-        y = y[:, 0]
-        x, values = (x, values) if x[-1] > x[0] else (x[::-1], values[:, ::-1])
-        at_x = x[0] + (at_x - x[0]) % 360
-    else:
-        x, y, at_x, at_y = lowest[0, :, 0], lowest[:, 0, 1], places[..., 0], places[..., 1]
-    return _bilinear(x, y, values, at_x, at_y, otherwise)
-
-
-def _bilinear(x: np.ndarray, y: np.ndarray, values: np.ndarray, at_x: np.ndarray, at_y: np.ndarray, otherwise: np.ndarray) -> np.ndarray:
-    if y[-1] < y[0]:
-        y, values = y[::-1], values[::-1]
-    inside = (at_x >= x[0]) & (at_x <= x[-1]) & (at_y >= y[0]) & (at_y <= y[-1])
-    i = np.clip(np.searchsorted(x, np.where(inside, at_x, x[0]), "right") - 1, 0, len(x) - 2)
-    j = np.clip(np.searchsorted(y, np.where(inside, at_y, y[0]), "right") - 1, 0, len(y) - 2)
-    a = np.where(inside, (at_x - x[i]) / (x[i + 1] - x[i]), 0)
-    b = np.where(inside, (at_y - y[j]) / (y[j + 1] - y[j]), 0)
-    mixed = (1 - b) * ((1 - a) * values[j, i] + a * values[j, i + 1]) + b * ((1 - a) * values[j + 1, i] + a * values[j + 1, i + 1])
-    return np.where(inside, mixed, otherwise)

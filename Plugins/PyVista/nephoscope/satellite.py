@@ -14,16 +14,19 @@ from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from . import light_image, tone
+from ._ground_light import irradiance
 from ._checks import as_array, require_array, require_number
 from ._dates import options_of
 from ._medium import one_mesh
 from ._pipeline import level_of_caller
 from ._refined import fitting_factor, refined, step_of
 from ._typing import AnyMesh, Numbers
-from .light import lit
+from ._upright import matrix_of, upright_mesh, upright_sun
+from .light import lit, upwards
 
 GEOSTATIONARY_RADII = 42164.0 / 6378.137  # distance of the satellite from the centre of the planet
 FINE = 1.25  # degrees between points of a globe on which light is computed
+SKY_LIGHT = 0.08  # of light that the mesh has already, as by default in `sunlight`
 METRES_PER_DEGREE = 1.1e5  # for drawing a globe as a map, where only heights matter
 
 
@@ -40,7 +43,8 @@ class SatelliteImage:
     longitude, latitude : numpy.ndarray or None
         Degrees east and north of the visible ground; None for data that are not on a globe.
     x, y : numpy.ndarray or None
-        Coordinates of the visible ground in the mesh, for data that are not on a globe.
+        Coordinates of the visible ground in the mesh, for data that are not on a globe. With another axis upwards, those of the mesh turned so that z is up: where y
+        is up, x and -z.
     """
     reflectance: np.ndarray
     sun_zenith: np.ndarray
@@ -118,7 +122,7 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
     view : {"automatic", "geostationary", "nadir"} or sequence of 3 float
         ``"geostationary"``: from 42164 km above the centre of a globe, over the equator at `longitude`. ``"nadir"``: every position from straight above; a
         globe becomes a map of equal steps in longitude and latitude. Three numbers: the direction towards a distant satellite. Automatic: geostationary for
-        globes, otherwise nadir.
+        globes, otherwise nadir. Flat ground is at the lowest point of the mesh, along the upward direction of its light.
     sun : sequence of 3 float, str, dict or True, optional
         The sun, as in `add_cells`. The light is computed for this view, unless a dict says otherwise; on a structured globe whose points are more than 1.25
         degrees apart, it is computed on a finer grid, between whose points extinctions are interpolated. Default: the light in the mesh.
@@ -154,27 +158,31 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
     if albedo.ndim not in (0, 2) or not np.all((albedo >= 0) & (albedo <= 1)):
         raise ValueError("ground_albedo must be a number or a 2-D array of numbers from 0 to 1.")
     on_globe = light_image.planet_radius(mesh) > 0
+    options = None if sun is None or sun is True and "Sunlight" in mesh.point_data else options_of(sun)
+    if not on_globe:
+        mesh, options, view = _upright(mesh, options, view)
     view = ("geostationary" if on_globe else "nadir") if isinstance(view, str) and view == "automatic" else view
     camera, eye = _camera_of(mesh, view, longitude)
-    mesh = _lit_for(mesh, sun, eye, float(albedo.mean()))
+    mesh = _lit_for(mesh, options, eye, float(albedo.mean()))
     drawn = _as_map(mesh) if eye is None else mesh
     camera = camera or _camera_above(drawn, size)
-    return _measured(mesh, drawn, camera, size, albedo, eye is None)
+    sky_light = SKY_LIGHT if options is None else options.get("sky_light", SKY_LIGHT)
+    return _measured(mesh, drawn, camera, size, albedo, eye is None, sky_light)
 
 
-def _measured(mesh: pyvista.DataSet, drawn: pyvista.DataSet, camera: vtkCamera, size: Sequence[int], albedo: np.ndarray, is_map: bool) -> SatelliteImage:
+def _measured(mesh: pyvista.DataSet, drawn: pyvista.DataSet, camera: vtkCamera, size: Sequence[int], albedo: np.ndarray, is_map: bool, sky_light: float) -> SatelliteImage:
     light, hidden = light_image.light_of_clouds(drawn, camera, size)
     places = light_image.meet_ground(drawn, *light_image.rays(camera, size))
     longitude = latitude = x = y = None
     if is_map:
         longitude, latitude = places[..., 0] / METRES_PER_DEGREE, places[..., 1] / METRES_PER_DEGREE
-        places = _on_globe(longitude, latitude)
+        places = light_image.planet_radius(mesh) * _on_globe(longitude, latitude)
     elif light_image.planet_radius(mesh) > 0:
         longitude, latitude = light_image.longitudes_latitudes(places)
     else:
         x, y = places[..., 0], places[..., 1]
     cosine = light_image.zenith_cosine(mesh, places)
-    arriving = light_image.at_ground(mesh, places, "Irradiance", np.maximum(cosine, 0))
+    arriving = irradiance(mesh, places, sky_light)
     share = albedo if albedo.ndim == 0 else _at(albedo, longitude, latitude)
     ground = np.nan_to_num(share * arriving)
     reflectance = light[..., 0] + (1 - hidden) * ground
@@ -197,14 +205,25 @@ def _at(albedo: np.ndarray, longitude: np.ndarray | None, latitude: np.ndarray |
     return albedo[np.clip(j.astype(int), 0, rows - 1), np.floor(i).astype(int) % columns]
 
 
-def _lit_for(mesh: pyvista.DataSet, sun: Any, eye: dict[str, Any] | None, ground_albedo: float) -> pyvista.DataSet:
-    if sun is None or sun is True and "Sunlight" in mesh.point_data:
-        if not {"Sunlight", "ScaledExtinction", "Irradiance"} <= set(mesh.point_data):
+def _upright(mesh: pyvista.DataSet, options: dict[str, Any] | None, view: Any) -> tuple[pyvista.DataSet, dict[str, Any] | None, Any]:
+    """All turned so that z is up."""
+    recorded = mesh.field_data["Up"][0] if "Up" in mesh.field_data else "z"
+    up = upwards(recorded if options is None else options.get("up", "z"), lambda name: f"sun[{name!r}]")
+    if up[2] >= 1:
+        return mesh, options, view
+    matrix = matrix_of(up)
+    view = view if isinstance(view, str) or np.shape(view) != (3,) else np.asarray(view, float) @ matrix
+    return upright_mesh(mesh, matrix), options if options is None else upright_sun(options, matrix), view
+
+
+def _lit_for(mesh: pyvista.DataSet, options: dict[str, Any] | None, eye: dict[str, Any] | None, ground_albedo: float) -> pyvista.DataSet:
+    if options is None:
+        if not {"Sunlight", "ScaledExtinction", "Irradiance", "SunTransmittance"} <= set(mesh.point_data):
             raise ValueError("mesh has no light: give sun, for example a date and time, or use mesh.nephoscope.sunlight() first.")
         if light_image.planet_radius(mesh) > 0:
             _warn_of_steps(mesh)
         return mesh
-    return lit(mesh, {"ground_albedo": ground_albedo, **(eye or {}), **options_of(sun)}, resolve=_resolved)
+    return lit(mesh, {"ground_albedo": ground_albedo, **(eye or {}), **options}, resolve=_resolved)
 
 
 def _resolved(mesh: pyvista.DataSet, names: list[str]) -> pyvista.DataSet:
