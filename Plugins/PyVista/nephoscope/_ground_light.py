@@ -12,7 +12,7 @@ from vtkmodules.vtkFiltersCore import vtkProbeFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 
 from .light import sunlight
-from .light_image import clear_irradiance, planet_radius, zenith_cosine
+from .light_image import clear_irradiance, planet_radius, sag, zenith_cosine
 
 
 def irradiance(clouds: pyvista.DataSet, places: np.ndarray, sky_light: float) -> np.ndarray:
@@ -37,7 +37,7 @@ def _diffuse(clouds: pyvista.DataSet, places: np.ndarray, otherwise: np.ndarray)
         return otherwise
     if planet_radius(clouds) > 0:
         points, places = (x / np.linalg.norm(x, axis=1, keepdims=True) for x in (points, places))
-        low, high = 0.9 * points, 1.1 * points  # facets lie below the sphere
+        low, high = (1 - 1e-4) * points, (1 + 2 * sag(clouds) + 1e-4) * points  # facets lie below the sphere
     else:
         points, places = points * (1, 1, 0), places * (1, 1, 0)
         high = points + (0, 0, 1e-3 * np.ptp(points, axis=0).max())
