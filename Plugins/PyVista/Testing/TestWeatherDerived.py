@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Derived quantities against closed forms and published values."""
+import tempfile
 import unittest
 
 import nephoscope  # noqa: F401
@@ -33,6 +34,17 @@ class Derived(unittest.TestCase):
         condensation = 2840 / (3.5 * np.log(300) - np.log(vapour) - 4.805) + 55
         expected = 300 * (1000 / 850) ** (0.2854 * (1 - 0.28e-3 * ratio)) * np.exp((3.376 / condensation - 0.00254) * ratio * (1 + 0.81e-3 * ratio))
         np.testing.assert_allclose(derived(dataset, "equivalent_potential_temperature")[1, 5, 5], expected, rtol=1e-3)
+
+    def test_temperature_of_a_potential_temperature(self):
+        """As that of WRF, on pressure levels and with a pressure array; also for light in clouds."""
+        dataset = moist(temperature=260.0, clw=(1e-4, "mass_fraction_of_cloud_liquid_water_in_air"))
+        theta = (dataset.ta * (1e5 / dataset.plev) ** 0.2857).assign_attrs(standard_name="air_potential_temperature", units="K").transpose(*dataset.ta.dims)
+        dataset = dataset.drop_vars("ta").assign(th=theta).isel(lon=slice(0, 20), lat=slice(40, 60))
+        np.testing.assert_allclose(derived(dataset, "temperature"), 260, rtol=1e-4)
+        with tempfile.TemporaryDirectory() as folder:
+            plotter = dataset.nephoscope.plot("clw", sun=(0, 0, 1), screenshot=f"{folder}/sun.png", window_size=(60, 60))
+            plotter.close()
+        self.assertIn("Extinction", nephoscope.cloud_optics(dataset).point_data)
 
     def test_humidity_and_cloud_fraction(self):
         dataset = moist(hur=(0.95, "relative_humidity"))

@@ -17,8 +17,11 @@ def is_weather(data: Any) -> bool:
 
 
 def meshed(data: Any) -> Any:
-    """The mesh of an xarray.Dataset or xarray.DataArray, flat or on a globe; all other data unchanged."""
-    return _accessor(data).mesh() if is_weather(data) else data
+    """The mesh of an xarray.Dataset or xarray.DataArray, flat or on a globe, with the temperature that light in clouds needs; all other data unchanged."""
+    if not is_weather(data):
+        return data
+    accessor = _accessor(data)
+    return accessor.mesh() if accessor._is_flat({}) else accessor.globe(derive=accessor._air_of_light())
 
 
 def _accessor(data: Any) -> Any:

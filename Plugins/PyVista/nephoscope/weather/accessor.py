@@ -58,6 +58,11 @@ class WeatherAccessor:
         from .reading import Reading
         return Reading(self._dataset, time=0 if time is None else time, vertical=options.get("vertical"), names=_options(options)[0])
 
+    def _air_of_light(self):
+        """What `derive` must compute for light in clouds."""
+        from .in_the_sun import missing_air
+        return missing_air(self._reading(None, {}))
+
     def _of_field(self, name, time, options):
         """Returns the array that `name` means, and the options that select it."""
         if name is None:
@@ -88,7 +93,7 @@ class WeatherAccessor:
         vertical : str, optional
             The vertical dimension. Default: found by the attributes axis, positive, standard_name and units, by the GRIB type of level, or by name.
         derive : str or sequence of str, optional
-            Quantities to compute: ``"relative_humidity"`` (1), ``"potential_temperature"`` and ``"equivalent_potential_temperature"`` (K), ``"wind_speed"``
+            Quantities to compute: ``"relative_humidity"`` (1), ``"temperature"``, ``"potential_temperature"`` and ``"equivalent_potential_temperature"`` (K), ``"wind_speed"``
             (m/s), ``"vorticity"`` (1/s), ``"cloud_content"`` and ``"water_vapour"`` (kg/m3), ``"cloud_fraction"`` (1, computed from the humidity if the model has none).
         **options
             Names of variables for roles that were not found, or found wrongly: ``u``, ``v``, ``w``, ``temperature``, ``specific_humidity``,

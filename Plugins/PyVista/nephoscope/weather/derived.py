@@ -53,6 +53,11 @@ def potential_temperature(reading: Reading, air: Air) -> np.ndarray:
     return quantities.potential_temperature(_need(air.temperature, "temperature", name), _need(air.pressure, "pressure", name))
 
 
+def temperature(reading: Reading, air: Air) -> np.ndarray:
+    """K; that of the dataset or, if it has none, from the potential temperature and the pressure."""
+    return _need(air.temperature, "temperature", "temperature")
+
+
 def equivalent_potential_temperature(reading: Reading, air: Air) -> np.ndarray:
     """K (Bolton 1980, equations 22 and 43)."""
     name = "equivalent_potential_temperature"
@@ -126,11 +131,11 @@ def computable(reading: Reading) -> list[str]:
     has = lambda *roles: any(reading.has(role) for role in roles)  # noqa: E731
     temperature, humidity = has("temperature", "potential_temperature"), has("specific_humidity", "mixing_ratio", "relative_humidity")
     horizontal = reading.has_winds()
-    there = {"relative_humidity": has("relative_humidity") or temperature and humidity, "potential_temperature": temperature, "equivalent_potential_temperature": temperature and humidity,
+    there = {"temperature": has("potential_temperature") and not has("temperature"), "relative_humidity": has("relative_humidity") or temperature and humidity, "potential_temperature": temperature, "equivalent_potential_temperature": temperature and humidity,
              "wind_speed": horizontal, "vorticity": horizontal and not reading.horizontal.is_list, "cloud_content": temperature and has(*WATER), "water_vapour": temperature and humidity,
              "cloud_fraction": has("cloud_fraction", "relative_humidity") or temperature and humidity}
     return [name for name in QUANTITIES if there[name]]
 
 
-QUANTITIES = {function.__name__: function for function in (relative_humidity, potential_temperature, equivalent_potential_temperature, wind_speed, vorticity, cloud_content, cloud_fraction,
+QUANTITIES = {function.__name__: function for function in (temperature, relative_humidity, potential_temperature, equivalent_potential_temperature, wind_speed, vorticity, cloud_content, cloud_fraction,
                                                            water_vapour)}

@@ -13,7 +13,16 @@ from ..light import is_on_globe
 from .reading import Reading
 
 _ARGUMENTS = {"cloud_water": "liquid", "cloud_ice": "ice", "rain": "rain", "snow": "snow", "temperature": "temperature", "pressure": "pressure", "cloud_fraction": "cloud_fraction"}
+AIR = "temperature"  # the array that is computed if the dataset has none
 SLANT = 45.0  # degrees from the zenith, of a sun without a date and a direction
+
+
+def missing_air(reading: Reading) -> list[str]:
+    """What `derive` must compute for light in clouds: the temperature, if the dataset has clouds and a potential temperature alone, as those of WRF and MPAS."""
+    if reading.has("temperature") or not reading.has("potential_temperature") or not any(reading.has(role) for role in ("cloud_water", "cloud_ice", "cloud_fraction")):
+        return []
+    on_pressures = reading.vertical is not None and reading.vertical.kind in ("pressure", "log pressure", "hybrid", "sigma")
+    return [AIR] if on_pressures or reading.has("pressure") or reading.has("pressure_thickness") else []
 
 
 def sun_of(sun: Any, reading: Reading, grid: pyvista.DataSet) -> dict[str, Any]:
@@ -23,6 +32,8 @@ def sun_of(sun: Any, reading: Reading, grid: pyvista.DataSet) -> dict[str, Any]:
         given["direction"] = _above(grid)
     if given.get("time") and not is_on_globe(grid):
         given.setdefault("place", _middle_of_map(grid))
+    if AIR in grid.array_names and not reading.has("temperature"):
+        given.setdefault("temperature", AIR)
     if "water" in given:
         return given
     there = {argument: reading.roles[role] for role, argument in _ARGUMENTS.items() if reading.has(role) and reading.roles[role] in grid.array_names}

@@ -13,7 +13,7 @@ from .roles import ROLES
 from .sea import is_of_water
 from .units import simple, usual
 
-UNITS = {"potential_temperature": "K", "equivalent_potential_temperature": "K", "wind_speed": "m s-1", "wind_magnitude": "m s-1", "Wind": "m s-1", "vorticity": "s-1", "cloud_content": "kg m-3", "water_vapour": "kg m-3"}
+UNITS = {"temperature": "K", "potential_temperature": "K", "equivalent_potential_temperature": "K", "wind_speed": "m s-1", "wind_magnitude": "m s-1", "Wind": "m s-1", "vorticity": "s-1", "cloud_content": "kg m-3", "water_vapour": "kg m-3"}
 LONGEST = 40  # letters of a title; longer names are descriptions
 UNITLESS = ("", "1", "-", "~", "none", "unknown", "(0 - 1)", "0-1", "fraction", "dimensionless")
 

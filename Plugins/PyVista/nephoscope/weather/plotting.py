@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Callable
+from typing import TYPE_CHECKING, Any, Callable, Sequence
 
 import numpy as np
 import pyvista
@@ -15,7 +15,7 @@ from .accessor import FLAT, GLOBE, LOOK_OF_PLOT, WeatherAccessor
 from .exaggeration import USUAL, suited
 from .filled import is_sparse, on_own_levels, step_with_values
 from .flat_picture import plotted_flat, plotted_section
-from .in_the_sun import sun_of
+from .in_the_sun import missing_air, sun_of
 from .naming import refuse_unknown, title
 from .one_level import one_level
 from .picture import plotted as plotted_globe
@@ -73,15 +73,20 @@ def _suited(make: Callable[[float], pyvista.DataSet], usual: float, exaggeration
 def _plotted_globe(asked: Plot) -> pyvista.Plotter:
     found, options = asked.accessor._of_field(asked.scalars, asked.time, asked.options)
     if asked.is_lit:  # all water and the air, and what was asked for if it must be computed, such as a cloud fraction from the humidity
-        options = {**asked.options, **{name: options[name] for name in ("derive",) if name in options}}
+        reading = asked.accessor._reading(asked.time, asked.options)
+        options = {**asked.options, "derive": list(dict.fromkeys([*_several(options.get("derive", ())), *missing_air(reading)]))}
     grid = _suited(lambda factor: asked.accessor.globe(time=asked.time, vertical_exaggeration=factor, **options), USUAL, asked.exaggeration)
     if not asked.is_lit and (parts := _filled(asked, grid, found, options)) is not None:
         return plotted(parts)
     look = asked.look
     if asked.is_lit:
-        look, found = {**look, "sun": sun_of(look["sun"], asked.accessor._reading(asked.time, asked.options), grid)}, None
+        look, found = {**look, "sun": sun_of(look["sun"], reading, grid)}, None
     draw = plotted_section if axis_of_section(grid) else plotted_globe
     return draw(grid, found, asked.frame, look, asked.title(grid))
+
+
+def _several(names: str | Sequence[str]) -> Sequence[str]:
+    return [names] if isinstance(names, str) else names
 
 
 def _filled(asked: Plot, grid: pyvista.DataSet, found: str | None, options: dict[str, Any]) -> Plot | None:
