@@ -159,6 +159,22 @@ class Times(unittest.TestCase):
                 np.testing.assert_allclose(series.seconds, [0, 21600, 43200])
                 self.assertEqual(series.times[2], "12 h" if name == "alone" else "2020-01-02 00:00")
 
+    def test_dates_that_xarray_does_not_decode(self):
+        """Those of WRF without XTIME, as texts and as letters, and those of ICON."""
+        written = ["2020-06-21_18:00:00", "2020-06-22_00:00:00"]
+        base = isothermal(np.arange(0, 40, 5.0), LAT)
+        both = xr.concat([base, base], "Time", data_vars="all", coords="minimal")
+        days = both.rename(Time="time").assign_coords(time=("time", [20200621.75, 20200622.0], {"units": "day as %Y%m%d.%f", "calendar": "proleptic_gregorian", "standard_name": "time", "axis": "T"}))
+        letters = np.array([list(text) for text in written], "S1")
+        for dataset in (both.assign(Times=("Time", np.array(written, "S19"))), both.assign(Times=(("Time", "DateStrLen"), letters)), days):
+            with self.subTest(dataset.sizes):
+                text = dataset.nephoscope.describe()
+                self.assertIn("2020-06-21 18:00 (of 2, to 2020-06-22 00:00)", text)
+                self.assertIn("2020-06-22 00:00", dataset.nephoscope.describe(time="2020-06-22"))
+                np.testing.assert_array_equal(dataset.nephoscope.series().seconds, [0, 6 * 3600])
+        odd = days.assign_coords(time=("time", [20200230.0, 20200230.5], days.time.attrs))
+        self.assertIn("20200230.0", odd.nephoscope.describe())
+
     def test_members(self):
         for dim in ("number", "realization"):
             with self.subTest(dim), warnings.catch_warnings(record=True) as caught:

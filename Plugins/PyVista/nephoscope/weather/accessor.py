@@ -39,7 +39,8 @@ class WeatherAccessor:
     """
 
     def __init__(self, dataset: xarray.Dataset) -> None:
-        self._dataset = dataset
+        from .dates import with_dates
+        self._dataset = with_dates(dataset)
 
     if not TYPE_CHECKING:  # for which there is nothing but the methods
         def __getattr__(self, name):

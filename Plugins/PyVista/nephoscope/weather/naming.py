@@ -27,7 +27,7 @@ def named(reading: Reading, name: str) -> tuple[str, dict[str, Any]]:
         raise ValueError(_why_not(reading, name, fields))
     if name in reading.roles and reading.roles[name] in fields:
         return reading.roles[name], {"variables": [reading.roles[name]]}
-    if name in QUANTITIES:
+    if name in QUANTITIES and (name != "temperature" or name in computable(reading)):
         return name, {"variables": [], "derive": [name]}
     told = [field for field in fields if name.lower() in [str(reading.dataset[field].attrs.get(key, "")).lower() for key in ("standard_name", "long_name", "GRIB_shortName", "GRIB_name")]]
     told = told or [field for field in fields if name.lower() == field.lower()]

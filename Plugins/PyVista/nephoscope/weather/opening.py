@@ -10,6 +10,7 @@ from typing import Any, Sequence
 
 from .._typing import WeatherDataset
 from .accessor import register
+from .dates import with_dates
 from .extras import need
 from .foreign import first_bytes, format_of, inside, refusal
 
@@ -64,6 +65,7 @@ def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = 
     if len(kinds) > 1:
         raise ValueError(f"The files have several formats, {', '.join(sorted(kinds))}: open them one by one.")
     dataset = {"GRIB": _open_grib, "NetCDF": _open_netcdf, "Zarr": _open_zarr}[kinds.pop()](paths, grid, chunks, options)
+    dataset = with_dates(dataset)
     return dataset if mesh is None else _with_mesh(dataset, open(mesh))
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from .._checks import listed
 from .._pipeline import level_of_caller
+from .dates import date_of
 from .horizontal import GridError, find_horizontal, is_latitude, is_longitude
 from .helpers import helpers
 from .land import SEA_MASKS, zeros_of_land
@@ -54,6 +55,7 @@ class Reading:
         refuse_empty(dataset)
         self.times = time_dims(dataset)
         self.dataset, self.time_text = choose_time(dataset, self.times, time)
+        self._of_one_time = self.dataset
         self.dataset, fractions = in_fractions(prepared(self._one_member(self._without_single(self.dataset))))
         self.notes += fractions
         self._helpers = helpers(self.dataset)
@@ -284,6 +286,11 @@ class Reading:
         values, note = converted(self.values(name), self.dataset[name].attrs.get("units"), quantity, name)
         self.note(note)
         return values, quantity
+
+    @cached_property
+    def date(self) -> str | None:
+        """``YYYY-MM-DD HH:MM`` (UTC) of the time step; None if the dataset has no dates."""
+        return date_of(self._of_one_time, self.times)
 
     @cached_property
     def level_pressure(self) -> float | None:
