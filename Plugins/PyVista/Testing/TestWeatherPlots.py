@@ -230,7 +230,7 @@ class Plots(unittest.TestCase):
         cloudy = isothermal(np.arange(0, 360, 20.0), np.arange(-80, 81, 20.0))
         cloudy["wet"] = cloudy.ta.dims, np.full(cloudy.ta.shape, 1e-4), {"units": "kg kg-1", "standard_name": "mass_fraction_of_cloud_liquid_water_in_air"}
         for direction, brighter in (((1, 0, 0), 1), ((-1, 0, 0), -1)):
-            _, picture = self.plotted(cloudy, None, sun=direction)
+            _, picture = self.plotted(cloudy, None, sun=direction, view=(-73, 18))
             left, right = (1 + half.mean() for half in np.split(picture[38:162], 2, axis=1))
             self.assertGreater((right / left) ** brighter, 2)
         for options in ({"sun": True}, {"sun": True, "projection": "map"}, {"sun": "2020-06-21 12:00", "projection": "map"}):

@@ -3,12 +3,14 @@
 """What the camera of a first picture looks at, that the plotter it returns draws other views, and that its scalar bar can be read."""
 import os
 import unittest
+import warnings
 from pathlib import Path
 
 import nephoscope  # noqa: F401 (the accessor)
 import numpy as np
 import pyvista
 import xarray as xr
+from nephoscope._globe_camera import look_down
 from nephoscope.weather.bars import label_format
 from weather_data import frames
 
@@ -56,6 +58,48 @@ class Views(unittest.TestCase):
         calm = weather()
         everywhere = calm.assign(cc=calm["cc"] * 0 + np.cos(np.radians(6 * calm.longitude)) ** 2)
         np.testing.assert_allclose(self.place(self.plotted(everywhere)), np.degrees([np.arctan2(-1, 0.3), np.arctan2(0.35, np.hypot(0.3, 1))]), atol=0.1)
+
+    def test_in_the_sun(self):
+        """The sun is that of the time step. What the camera looks at is that without sun; of clouds all round the globe it is the side of the sun, and the evening."""
+        times = np.array(["2020-06-21T06", "2020-06-21T18"], "M8[ns]")
+        blob = weather().expand_dims(time=2).assign_coords(time=times)
+        everywhere = blob.assign(cc=blob["cc"] * 0 + np.cos(np.radians(6 * blob.longitude)) ** 2)
+        part = blob.sel(longitude=slice(80, 120), latitude=slice(50, 10))
+        part_at_night = "it is night in the middle of the data at their time, 2020-06-21 18:00 UTC"
+        for dataset, step, sun, camera, told in ((blob, 0, (90, 23.4), (100, 30), None), (blob, 1, None, (100, 30), part_at_night), (part, 0, (90, 23.4), (100, 30), None), (part, 1, None, (100, 30), part_at_night),
+                                                 (everywhere, 0, (90, 23.4), (130, 23.4), None), (everywhere, 1, (-90, 23.4), (-50, 23.4), None),
+                                                 (everywhere.drop_vars("time"), 0, None, None, "the data have no date"), (blob.isel(time=0), None, (90, 23.4), (100, 30), None)):
+            with self.subTest(sizes=dataset.sizes, step=step), warnings.catch_warnings(record=True) as caught:
+                warnings.simplefilter("always")
+                plotter = self.plotted(dataset, "cc", time=step, sun=True)
+                self.assertEqual([told in str(one.message) for one in caught if "sun=True" in str(one.message)], [True] * (told is not None))
+                light = next(actor for actor in plotter.renderer.actors.values() if isinstance(actor, pyvista.Volume)).mapper.dataset.field_data["SunDirection"][0]
+                if sun is not None:
+                    np.testing.assert_allclose(light, frames(*sun)[2], atol=0.02)
+                elif camera is not None:
+                    self.assertAlmostEqual(light @ frames(*camera)[2], np.sqrt(0.5), delta=0.05)
+                if camera is not None:
+                    np.testing.assert_allclose(self.place(plotter), camera, atol=3)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)
+            warnings.filterwarnings("ignore", "There is no cloud water")
+            plotter = self.plotted(part.isel(time=0), "cc", sun=True, projection="map")
+        with self.assertWarnsRegex(UserWarning, part_at_night):
+            self.plotted(part.isel(time=1), "cc", sun=True, projection="map")
+
+    def test_points_that_repeat_at_regular_distances(self):
+        """The middle is that of all of them: every eighth of these is in the north."""
+        rng = np.random.default_rng(0)
+        points = rng.normal(size=(40000, 3))
+        points *= 6.4e6 / np.linalg.norm(points, axis=1)[:, None]
+        points[::8, 2] = np.abs(points[::8, 2])
+        points[4::8, 2] = -np.abs(points[4::8, 2])
+        grid = pyvista.PolyData(points)
+        grid["q"] = np.exp(-np.linalg.norm(points / 6.4e6 - frames(100, 30)[2], axis=1) ** 2 / 0.05)
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        look_down(plotter, grid, points, "q", None)
+        np.testing.assert_allclose(self.place(plotter), (100, 30), atol=3)
 
     def test_a_place(self):
         for view in ((-90, 45), np.array([10.0, -20.0]), [0, 90]):

@@ -17,6 +17,7 @@ WIDE, HIGH = 0.8, 0.92  # of the picture, for a region beside the scalar bar
 ABOVE_BAR = (0.85, 0.7)  # the same, above PyVista's scalar bar
 ASIDE = (40.0, 20.0)  # degrees of the camera above the horizon, at least, and from the south to the east, for water
 NEAREST = 0.001  # of the distance of the farthest, VTK's default for the nearest that is seen
+BESIDE_SUN = 40.0  # degrees of the camera east of the sun, so that the line between day and night is seen
 CONCENTRATED = 0.75  # length of the mean direction of a field on one side of the globe; that of one that increases evenly from pole to pole is 2/3
 
 
@@ -46,6 +47,26 @@ def _side_of(grid: pyvista.DataSet, name: str) -> np.ndarray | None:
     return mean if np.linalg.norm(mean) > CONCENTRATED else None
 
 
+def middle_of(grid: pyvista.DataSet, points: np.ndarray, name: str | None) -> np.ndarray | None:
+    """The middle of data or, if they are all round the globe, of the field; None if that is, too. `points`: those that count."""
+    middle = points.mean(axis=0)
+    if np.linalg.norm(middle) >= 0.2 * EARTH_RADIUS:
+        return middle
+    side = _side_of(grid, name) if name is not None else None
+    return None if side is None else side / np.linalg.norm(side) * EARTH_RADIUS
+
+
+def _beside(sun: np.ndarray) -> np.ndarray:
+    """A direction east of the sun, at its latitude."""
+    sine, cosine = np.sin(np.radians(BESIDE_SUN)), np.cos(np.radians(BESIDE_SUN))
+    return np.array([cosine * sun[0] - sine * sun[1], sine * sun[0] + cosine * sun[1], sun[2]])
+
+
+def _some(points: np.ndarray) -> np.ndarray:
+    """About 5000 of the points, at random: those of a mesh repeat at regular distances."""
+    return points if len(points) <= 5000 else points[np.random.default_rng(0).choice(len(points), 5000, replace=False)]
+
+
 def _fitted(across: np.ndarray, towards: np.ndarray, share: float) -> tuple[float, float]:
     """Where the camera is along an axis of the picture, and its distance, so that no point is seen farther from the middle than `share` of the distance to it."""
     low, high = (float((side * across + share * towards).max()) for side in (-1, 1))
@@ -65,8 +86,8 @@ def look_at_region(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> None:
     PyVista looks at everything from the direction (1, 1, 1), which is from inside the Earth in most regions."""
     if "GlobeGridProjection" not in grid.field_data or is_map(grid):
         return
-    points = np.asarray(grid.points)[:: max(1, grid.n_points // 5000)]
-    points = points[np.isfinite(points).all(axis=1)]
+    points = np.asarray(grid.points)
+    points = _some(points[np.isfinite(points).all(axis=1)])
     if len(points) and _is_part(points, middle := points.mean(axis=0)):
         _look_at_part(plotter, points, middle, False, *ABOVE_BAR)
         plotter.renderer.camera.is_set = True
@@ -101,14 +122,12 @@ def _see_near(plotter: pyvista.BasePlotter, distance: float) -> None:
     plotter.reset_camera_clipping_range()
 
 
-def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.ndarray, name: str | None, view: Any, aside: bool = False) -> None:
+def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.ndarray, name: str | None, view: Any, aside: bool = False, sun: np.ndarray | None = None) -> None:
     """Places the camera above a place, by default the middle of the data or of the field, far enough to show all of them, with north up. `aside`: data of a region are seen
-    from the side instead."""
-    points = points[:: max(1, len(points) // 5000)]
-    middle = points.mean(axis=0)
-    if np.linalg.norm(middle) < 0.2 * EARTH_RADIUS:  # all round the globe
-        side = _side_of(grid, name) if name is not None else None
-        middle = (AMERICA if side is None else side / np.linalg.norm(side)) * EARTH_RADIUS
+    from the side instead. `sun`: the direction towards it; fields all round the globe are seen from its side."""
+    middle = middle_of(grid, points, name)
+    middle = (AMERICA if sun is None else _beside(sun)) * EARTH_RADIUS if middle is None else middle
+    points = _some(points)
     part = _is_part(points, middle)
     centre = middle if part else np.zeros(3)
     if part and view is None:

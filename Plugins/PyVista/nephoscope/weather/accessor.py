@@ -278,7 +278,7 @@ class WeatherAccessor:
         **options
             Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``contours``, ``layers``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
             ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``
-            is a sun 45 degrees from the zenith of their middle; on a map, that of a date is the sun at its middle.
+            is the sun at the time of the data; if they have none, or it is night in their middle, a sun 45 degrees above the horizon there, with a warning. A map has the sun of its middle.
 
         Returns
         -------

@@ -101,6 +101,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     if LOWEST in grid.field_data:
         of_volume = title
         title = lambda array: f"{of_volume(array)}\nlowest level"  # noqa: E731
+    sun = None
     flat = cell_dimension(grid) < 3
     sea = not flat and is_sea(grid)
     earth = add_earth(plotter, grid)
@@ -119,6 +120,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
             options = look_of_water(grid, name, options, VOLUME)
             title = with_share(title, grid, name, association_of(grid, name, "point", "scalars"), asked, options)
         volume = add_cells(plotter, grid, scalars, **{"show_scalar_bar": "sun" not in options, **options})
+        sun = np.ravel(volume.mapper.dataset.field_data["SunDirection"])[:3] if "sun" in options else None
         if "sun" in options and earth is not None:
             shade(earth, volume.mapper.dataset)
     finish_bars(plotter, title)
@@ -126,7 +128,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     if limits is not None:
         _finish_map(plotter, grid, limits)
     if on_globe and (view is None or is_place(view)):
-        look_down(plotter, grid, _seen(grid), None if "sun" in options else name, view, sea)
+        look_down(plotter, grid, seen(grid), name, view, sea, sun)
     elif view is None and limits is not None:
         _look_at_map(plotter, limits)
     elif view is not None:
@@ -138,7 +140,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
 
 def turn_to_field(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str) -> None:
     """Turns the camera to the side of a globe that `draw` shows; what has been drawn is in the middle of the picture."""
-    look_down(plotter, grid, _seen(grid), name, None)
+    look_down(plotter, grid, seen(grid), name, None)
     plotter.camera.SetWindowCenter(0, 0)
     plotter.reset_camera(render=False)
 
@@ -195,7 +197,7 @@ def _finite(grid: pyvista.DataSet) -> np.ndarray:
     return points[np.isfinite(points).all(axis=1)]
 
 
-def _seen(grid: pyvista.DataSet) -> np.ndarray:
+def seen(grid: pyvista.DataSet) -> np.ndarray:
     """The points that are not hidden, as land in an ocean is; all that have a place, if all are hidden, or in a film, in which others may be hidden later."""
     marks = grid.point_data.get("vtkGhostType")
     if marks is None or follows(grid):

@@ -80,6 +80,8 @@ def _plotted_globe(asked: Plot) -> pyvista.Plotter:
         return plotted(parts)
     look = asked.look
     if asked.is_lit:
+        if found in grid.point_data or found in grid.cell_data:
+            grid.set_active_scalars(found)  # what the camera looks at
         look, found = {**look, "sun": sun_of(look["sun"], reading, grid)}, None
     draw = plotted_section if axis_of_section(grid) else plotted_globe
     return draw(grid, found, asked.frame, look, asked.title(grid))
