@@ -53,6 +53,21 @@ class Subplots(unittest.TestCase):
         _, bars = self.drawn(lambda plotter, *limits: nephoscope.add_cells(plotter, mesh(*limits), "q", scalar_bar_args={"title": "water"}))
         self.assertEqual([title for _, title, _ in bars], ["water", "water"])
 
+    def test_labels_stand_side_by_side(self):
+        """Fewer in a narrow sub-plot, with the last one inside; as many as the user wants."""
+        for options, count in (({}, 4), ({"scalar_bar_args": {"n_labels": 5}}, 5)):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(1000, 300), shape=(1, 2))
+            self.addCleanup(plotter.close)
+            nephoscope.add_cells(plotter, mesh(0, 0.000976), "q", **options)
+            (bar,) = plotter.scalar_bars.values()
+            self.assertEqual(bar.GetNumberOfLabels(), count)
+            if not options:
+                plotter.background_color = "black"
+                bar.GetLabelTextProperty().SetColor(1, 1, 1)
+                picture = plotter.screenshot(return_img=True).max(axis=2)
+                self.assertGreater(picture[200:, 400:495].max(), 200)
+                self.assertLess(picture[200:, 495:498].max(), 50)
+
     def test_one_in_a_subplot(self):
         """Two volumes of one array have one range and one bar, as in PyVista."""
         def two(plotter, low, high):

@@ -101,6 +101,18 @@ class Views(unittest.TestCase):
         look_down(plotter, grid, points, "q", None)
         np.testing.assert_allclose(self.place(plotter), (100, 30), atol=3)
 
+    def test_backgrounds_of_subplots(self):
+        """Of an empty plotter, dark as that without sub-plots; behind other contents only that of the sub-plot of the data."""
+        for before, expected in ((False, [0.0, 0.0]), (True, [1.0, 0.0])):
+            plotter = pyvista.Plotter(off_screen=True, shape=(1, 2))
+            self.addCleanup(plotter.close)
+            if before:
+                plotter.add_mesh(pyvista.Sphere())
+            plotter.subplot(0, 1)
+            nephoscope.add_cells(plotter, weather(), "cc")
+            self.assertEqual([renderer.background_color.float_rgb[0] for renderer in plotter.renderers], expected)
+            self.assertEqual([bar.GetLabelTextProperty().GetColor()[0] for bar in plotter.scalar_bars.values()], [1.0])
+
     def test_a_place(self):
         for view in ((-90, 45), np.array([10.0, -20.0]), [0, 90]):
             plotter = self.plotted(weather(), view=view)

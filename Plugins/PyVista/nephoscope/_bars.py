@@ -26,7 +26,15 @@ def add_bar(plotter: pyvista.BasePlotter, title: str, **options: Any) -> Any:
     bar = plotter.add_scalar_bar(title=key_of(plotter, title), **options)
     if bar is not None:
         bar.SetTitle(title)
+        _fit(plotter, bar, options)
     return bar
+
+
+def _fit(plotter: pyvista.BasePlotter, bar: Any, options: dict[str, Any]) -> None:
+    """Labels that stand side by side in a sub-plot, unless the user has placed or counted them."""
+    if plotter.shape != (1, 1) and not {"n_labels", "position_x", "width"} & set(options):
+        from .weather.bars import fit_in_subplot
+        fit_in_subplot(plotter, bar)
 
 
 def add_mesh(plotter: pyvista.BasePlotter, mesh: Any, title: str, **options: Any) -> pyvista.Actor:
@@ -37,4 +45,5 @@ def add_mesh(plotter: pyvista.BasePlotter, mesh: Any, title: str, **options: Any
     actor = plotter.add_mesh(mesh, **options, scalar_bar_args=arguments)
     if key not in before and key in plotter.scalar_bars:
         plotter.scalar_bars[key].SetTitle(told)
+        _fit(plotter, plotter.scalar_bars[key], arguments)
     return actor

@@ -43,11 +43,13 @@ def _has_earth(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet) -
 
 
 def darken_for(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet) -> None:
-    """Gives a plotter that is empty and has PyVista's defaults a dark background, for data of xarray on a globe."""
+    """Gives a plotter that is empty and has PyVista's defaults a dark background, for data of xarray on a globe. One with contents in other sub-plots gets it behind the active one."""
     if _has_earth(plotter, data, mesh):
-        from .weather.picture import darken, is_untouched
-        if is_untouched(plotter):
+        from .weather.picture import darken, has_defaults
+        if all(has_defaults(plotter, renderer) for renderer in plotter.renderers):
             darken(plotter)
+        elif has_defaults(plotter, plotter.renderer):
+            darken(plotter, alone=True)
 
 
 def add_earth_for(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet, name: str) -> None:

@@ -69,6 +69,18 @@ def _fit_lying(plotter: pyvista.BasePlotter, bar: vtkScalarBarActor, widest: flo
         bar.SetNumberOfLabels(max(2, most))
 
 
+def fit_in_subplot(plotter: pyvista.BasePlotter, bar: vtkScalarBarActor) -> None:
+    """As few labels of a lying bar as stand side by side in a sub-plot, and the last one inside it."""
+    if bar.GetOrientation() or bar.GetLookupTable() is None:
+        return
+    widest = max(_width(plotter, bar.GetLabelTextProperty(), text.strip()) for text in _labels(bar, bool(bar.GetLookupTable().UsingLogScale())))
+    _fit_lying(plotter, bar, widest)
+    left, bottom = bar.GetPosition()
+    beyond = left + bar.GetWidth() - 1 + (0.5 * widest + EDGE) / size_of(plotter)[0]
+    if beyond > 0:
+        bar.SetPosition(max(left - beyond, 0.0), bottom)
+
+
 def _width(plotter: pyvista.BasePlotter, prop: vtkTextProperty, text: str) -> float:
     """Pixels."""
     box = [0, 0, 0, 0]

@@ -83,13 +83,21 @@ def _far_side(sheet: pyvista.DataSet) -> str | None:
 
 def is_untouched(plotter: pyvista.BasePlotter) -> bool:
     """True for a plotter that has nothing but the defaults of PyVista."""
-    alone = plotter.shape == (1, 1) and not plotter.renderer.actors and not plotter.renderer.camera_set
-    return bool(alone and plotter.theme == pyvista.global_theme and plotter.background_color == plotter.theme.background)
+    return bool(plotter.shape == (1, 1) and has_defaults(plotter, plotter.renderer))
 
 
-def darken(plotter: pyvista.BasePlotter) -> None:
-    plotter.theme.load_theme(picture_theme())  # of this plotter alone
-    plotter.set_background(plotter.theme.background)
+def has_defaults(plotter: pyvista.BasePlotter, renderer: pyvista.Renderer) -> bool:
+    """True for a sub-plot that has nothing but the defaults of PyVista."""
+    empty = all(actor.GetClassName() == "vtkActor2D" for actor in renderer.actors.values())  # the border between sub-plots
+    return bool(empty and not renderer.camera_set and plotter.theme == pyvista.global_theme and renderer.background_color == plotter.theme.background)
+
+
+def darken(plotter: pyvista.BasePlotter, alone: bool = False) -> None:
+    """`alone`: only the background of the active sub-plot."""
+    theme = picture_theme()
+    if not alone:
+        plotter.theme.load_theme(theme)  # of this plotter alone
+    plotter.set_background(theme.background, all_renderers=not alone)
 
 
 def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str], view: Any = None) -> None:
