@@ -93,6 +93,21 @@ class Parts(unittest.TestCase):
         self.assertEqual(next(iter(plotter.scalar_bars.values())).GetTitle().count("okta"), 0)
         plotter.close()
 
+    def test_percent_under_other_units(self):
+        """A cloud fraction with units of 1 that reaches 100 is percent; others and those slightly above 1 stay."""
+        told = r"'cc' has the units '1', but values up to 100: they are taken as percent. Set its units: ds\['cc'\].attrs\['units'\] = '%'"
+        dataset = weather("cc", 100 * RANDOM / RANDOM.max(), units="1")
+        with self.assertWarnsRegex(UserWarning, told):
+            grid = dataset.nephoscope.globe()
+        self.assertAlmostEqual(grid["cc"].max(), 1, places=6)
+        with self.assertWarnsRegex(UserWarning, told):
+            np.testing.assert_allclose(dataset.nephoscope.globe(derive="cloud_fraction")["cloud_fraction"].max(), 1, rtol=1e-6)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", UserWarning)
+            self.assertRegex(dataset.nephoscope.describe(), "note: " + told)
+            for name, factor, units in (("cc", 1.02, "1"), ("cc", 100, "%"), ("mixed", 100, "1")):
+                self.assertAlmostEqual(weather(name, factor * RANDOM / RANDOM.max(), units=units).nephoscope.globe()[name].max(), factor, places=4)
+
     def test_series(self):
         data = xr.concat([weather("cc", np.full((3, 7, 9), value), units="okta") for value in (8.0, 4.0)], "time").assign_coords(time=[0, 1])
         series = data.nephoscope.series()

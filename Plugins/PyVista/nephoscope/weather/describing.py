@@ -21,7 +21,7 @@ WIDE_GAP = 60.0  # degrees without a longitude: the points are those of a region
 
 def described(reading: Reading, air: Air, dataset) -> str:
     lines = [_grid(reading), *_cells(reading), *_levels(reading, air), _times(reading, dataset), *_roles(reading)]
-    _look_for_zeros(reading)
+    _look_at_values(reading)
     with contextlib.suppress(UnitsError):  # said by the line of the heights
         winds(reading, air)
     return "\n".join(lines + [f"note: {note}" for note in [*reading.horizontal.notes, *(reading.vertical.notes if reading.vertical else []), *reading.notes]])
@@ -36,12 +36,12 @@ def not_understood(dataset, problem: Exception) -> str:
     return "\n".join([f"not recognized: {problem}", *(line("coordinate", *item) for item in dataset.coords.items()), *(line("variable", *item) for item in dataset.data_vars.items())])
 
 
-def _look_for_zeros(reading: Reading) -> None:
-    """Notes the zeros of land in temperature, salinity and currents of the sea."""
+def _look_at_values(reading: Reading) -> None:
+    """Notes the zeros of land in temperature, salinity and currents of the sea, and cloud fractions that are percent."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a note says the same
         for name in reading.plain_variables():
-            if may_have_zeros(name, reading.dataset[name]):
+            if may_have_zeros(name, reading.dataset[name]) or name in reading.fractions:
                 reading.values(name)
 
 

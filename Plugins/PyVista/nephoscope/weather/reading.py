@@ -19,12 +19,13 @@ from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import centres_of, is_staggered, shares_axes, to_centres
 from .times import choose_time, is_member, time_dims
-from .units import UnitsError, converted, in_fractions, knows, plain, without_fill_values
+from .units import UnitsError, converted, in_fractions, knows, plain, says_fraction, without_fill_values
 from .vertical import VerticalError, find_lengths, find_vertical, level_values, pressure_of_level
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
 
 UNDECLARED = np.array([-9999.0, -99999.0, -999.0, -32767.0, -32768.0])  # fill values that a file does not declare, impossible in the air
+LEAST_PERCENT, MOST_PERCENT = 1.5, 101.0  # greatest values of cloud fractions that are percent
 PLACING = {"altitude", "thickness", "geopotential_height", "geopotential", "pressure", "pressure_thickness", "surface_pressure", "log_surface_pressure", "terrain",
            "surface_geopotential", "w"}  # roles whose units must be right in any picture; the wind along z says itself when it is left out
 KINDS = "fiubm"  # of arrays that can be fields: numbers, booleans and durations
@@ -235,7 +236,21 @@ class Reading:
             self.note(f"{name!r}: {undeclared.sum()} values of {found[undeclared][0]:g} are taken as missing" if undeclared.any() else "")
             gone |= undeclared
         land = self._land_of_mask(name, found)
-        return np.where(gone | (self._zeros_of_land(name, found) if land is None else land), np.nan, found)
+        return self._in_fractions(name, np.where(gone | (self._zeros_of_land(name, found) if land is None else land), np.nan, found))
+
+    @cached_property
+    def fractions(self) -> list[str]:
+        """Cloud fractions whose units say that they are fractions of 1."""
+        return [name for name in candidates(ROLES["cloud_fraction"], self._all_numbers()) if says_fraction(self.dataset[name].attrs.get("units"))]
+
+    def _in_fractions(self, name: str, found: np.ndarray) -> np.ndarray:
+        """Cloud fractions that are percent in spite of their units are divided by 100, with a warning."""
+        if name not in self.fractions or not LEAST_PERCENT < (most := float(np.nanmax(found, initial=0))) < MOST_PERCENT:
+            return found
+        text = f"{name!r} has the units {self.dataset[name].attrs['units']!r}, but values up to {most:.4g}: they are taken as percent. Set its units: ds[{name!r}].attrs['units'] = '%'."
+        if text not in self.notes:
+            self.warn(text)
+        return found * found.dtype.type(0.01)
 
     def _land_of_mask(self, name: str, found: np.ndarray) -> np.ndarray | None:
         """Where the model's own mask of the sea is 0, in fields on levels that do not tell where these are; None without a mask."""

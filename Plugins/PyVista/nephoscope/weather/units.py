@@ -83,6 +83,12 @@ def knows(units: object, quantity: str) -> bool:
     return plain(units) in UNITS[quantity][1]
 
 
+def says_fraction(units: object) -> bool:
+    """Whether these are units of fractions of 1, such as "1"; False without units."""
+    text = plain(units)
+    return bool(text) and UNITS["fraction"][1].get(text) == 1
+
+
 def converted(values: np.ndarray, units: object, quantity: str, name: str) -> tuple[np.ndarray, str]:
     """`values` in this package's unit of `quantity`, and a note about the conversion ("" if there was none).
 
