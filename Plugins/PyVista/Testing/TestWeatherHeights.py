@@ -101,6 +101,14 @@ class Hybrid(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"need the pressure at the ground.*globe\(surface_pressure="):
             heights(dataset)
 
+    def test_model_levels_without_coefficients_have_a_remedy(self):
+        """As in NetCDF files of ECMWF."""
+        levels = isothermal(LON, LAT, pressures=range(4)).rename(plev="model_level")[["ta"]]
+        with self.assertRaisesRegex(ValueError, r"heights of the levels 'model_level' .*model levels, such as ECMWF's, .*coefficients a and b, .*lnsp as GRIB, and open that file\."):
+            levels.assign_coords(model_level=np.arange(74.0, 78)).nephoscope.globe()
+        with self.assertRaisesRegex(ValueError, r"globe\(pressure='...'\)\.$"):
+            levels.assign_coords(model_level=np.arange(4) + 0.3).nephoscope.globe()
+
     def test_hybrid_levels_of_grib(self):
         """As ERA5's model levels: a and b of half levels in the header, lnsp and the geopotential of the ground on level 1."""
         half_a, half_b = np.array([0.0, 2000, 10000, 4000, 0]), np.array([0.0, 0.0, 0.2, 0.7, 1.0])

@@ -138,7 +138,15 @@ class Air:
         vertical = self.reading.vertical
         raise VerticalError(f"The heights of the levels {vertical.dim!r} ({vertical.kind}) were not found: there is no height, geopotential, pressure or formula_terms on them. "
                             f"Variables on them: {listed([name for name, _ in self.reading.field_variables()])}. Name one: globe(altitude='...'), globe(geopotential='...') or "
-                            "globe(pressure='...')." + "".join(f" Left out: {problem}" for problem in self.reading.unusable.values()))
+                            "globe(pressure='...')." + self._of_model_levels() + "".join(f" Left out: {problem}" for problem in self.reading.unusable.values()))
+
+    def _of_model_levels(self) -> str:
+        """What the numbers of levels of a model need, as in NetCDF files of ECMWF."""
+        numbers = self.reading.levels()
+        if self.reading.vertical.kind != "levels" or not self.reading.vertical.name or np.any(numbers % 1) or numbers.min(initial=1) < 1:
+            return ""
+        return (" If they are model levels, such as ECMWF's, their pressures need the model's coefficients a and b, and the pressure at the ground (lnsp or sp). GRIB files have the coefficients, NetCDF "
+                "files of ECMWF do not: get the data with lnsp as GRIB, and open that file.")
 
     height_source = ""
 
