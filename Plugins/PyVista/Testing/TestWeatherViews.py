@@ -102,7 +102,7 @@ class Views(unittest.TestCase):
         np.testing.assert_allclose(self.place(plotter), (100, 30), atol=3)
 
     def test_backgrounds_of_subplots(self):
-        """Of an empty plotter, dark as that without sub-plots; behind other contents only that of the sub-plot of the data."""
+        """All are dark in an empty plotter; beside other contents only that of the sub-plot of the data is."""
         for before, expected in ((False, [0.0, 0.0]), (True, [1.0, 0.0])):
             plotter = pyvista.Plotter(off_screen=True, shape=(1, 2))
             self.addCleanup(plotter.close)
