@@ -27,7 +27,7 @@ struct vtkSunlight::Work
   std::vector<nephoscope::Place> Places;
   std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
   std::vector<float> Transmittance, ScaledDepth;
-  // Of clouds of the second input, if there are any: the fraction of sunlight; the irradiance of surfaces, negative where it is that of the open sky.
+  // By clouds of the second input, if there are any: the fraction of sunlight; the irradiance of surfaces, negative where it is that of the open sky.
   std::vector<float> Shadow, BelowClouds;
   std::vector<float> Fluence, Up, Down, Absorbed;
 

@@ -3,6 +3,7 @@
 """Water of clouds of which only the fraction is known: in a cloud 0.21 g/m3 at sea level, and less by a factor e every 2.3 km of height (Hack 1998)."""
 from __future__ import annotations
 
+import math
 import warnings
 from typing import Any, Callable
 
@@ -17,7 +18,7 @@ from .weather.units import UnitsError, converted
 
 CONTENT = 0.21e-3  # kg/m3, in clouds at sea level
 PRECIPITABLE = 25.0  # kg/m2, of water vapour: the mean of the globe
-SCALE_HEIGHT = 700.0 * np.log(1 + PRECIPITABLE)  # m
+SCALE_HEIGHT = 700.0 * math.log(1 + PRECIPITABLE)  # m
 WATER, FRACTION, TEMPERATURE = "NephoscopeCloudWater", "NephoscopeCloudFraction", "NephoscopeTemperature"  # arrays that are removed afterwards
 
 
