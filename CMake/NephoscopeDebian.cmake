@@ -19,8 +19,16 @@ install(FILES "${nephoscope_debian}/copyright" DESTINATION "${nephoscope_debian_
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_SOURCE_DIR}/CITATION.cff"
   DESTINATION "${nephoscope_debian_documents}")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/Documentation/" DESTINATION "${nephoscope_debian_documents}/Documentation" PATTERN site EXCLUDE)
+set(nephoscope_pages Plugins/PyVista/examples/clouds.ipynb)
+file(GLOB nephoscope_example RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/Testing/Package/example/*")
 foreach (folder IN ITEMS Filters Representations Plugins Testing Data CMake)
-  install(DIRECTORY "${PROJECT_SOURCE_DIR}/${folder}/" DESTINATION "${nephoscope_debian_documents}/${folder}" FILES_MATCHING PATTERN "*.md" PATTERN build EXCLUDE)
+  file(GLOB_RECURSE nephoscope_of_folder RELATIVE "${PROJECT_SOURCE_DIR}" "${PROJECT_SOURCE_DIR}/${folder}/*.md")
+  list(APPEND nephoscope_pages ${nephoscope_of_folder})
+endforeach ()
+list(FILTER nephoscope_pages EXCLUDE REGEX "/build/")
+foreach (page IN LISTS nephoscope_pages nephoscope_example)
+  get_filename_component(folder "${page}" DIRECTORY)
+  install(FILES "${PROJECT_SOURCE_DIR}/${page}" DESTINATION "${nephoscope_debian_documents}/${folder}")
 endforeach ()
 # What the Python package and the reader of weather data name in their messages about missing packages.
 foreach (packages IN ITEMS requirements requirements-data requirements-grib requirements-netcdf requirements-zarr)
