@@ -150,15 +150,15 @@ class MultipleScattering(unittest.TestCase):
         return mesh.nephoscope.sunlight((1, 0, 0.2), sky_light=0, **options)
 
     def test_parts_are_the_light_for_one_eye(self):
-        """The arrays give the source function for a distant eye, with Henyey and Greenstein's function of light scattered straight on alone in the place of both."""
+        """The arrays give the source function for a distant eye."""
         eye = unit((-0.3, 0.8, 0.5))
         one, parts = self.cloud(eye=eye, parallel=True), self.cloud(eye="camera")
         sun, mean = parts.field_data["SunDirection"][0], self.cloud()
         cosine = -eye @ sun
         angle = np.degrees(np.arccos(cosine))
-        factor = np.interp(angle, np.linspace(0, 180, 1801), parts.field_data["PhaseFunction"][:, 1])
+        factors = np.array([np.interp(angle, np.linspace(0, 180, 1801), column) for column in parts.field_data["PhaseFunction"].T])
         np.testing.assert_allclose(parts["Sunlight"], mean["Sunlight"], atol=1e-7)
-        source = parts["Sunlight"] + parts["DiffuseFlux"] @ eye + (factor - 1) * parts["SingleScattering"].sum(axis=1)
+        source = parts["Sunlight"] + parts["DiffuseFlux"] @ eye + parts["SingleScattering"] @ (factors - 1)
         wet = parts["ScaledExtinction"] > 0
         np.testing.assert_allclose(np.maximum(source, 0)[wet], one["Sunlight"][wet], atol=2e-3)
 
