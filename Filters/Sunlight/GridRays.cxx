@@ -74,6 +74,10 @@ void GridRays::Turn(std::vector<SunPoint> points)
   this->Clouds = LastClouds(this->Points);
   for (std::int64_t cell = 0; cell < this->Grid.NumberOfCells(); ++cell)
   {
+    if (this->IsHidden(cell))
+    {
+      continue;
+    }
     const Index c = this->Grid.CellIndex(cell);
     const std::int64_t first = this->Grid.PointNumber(c[0], c[1], c[2]), row = this->Grid.Size[0],
                        level = row * this->Grid.Size[1];
@@ -142,9 +146,17 @@ bool GridRays::BeginIn(const Index& at, const Index& side, Path& path) const
     return Index{ { this->Wrapped(at[0] + x * side[0]), at[1] + y * side[1],
       at[2] + z * side[2] } };
   };
+  std::array<int, 3> lowest;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    lowest[axis] = at[axis] + (side[axis] < 0 ? -1 : 0);
+  }
+  lowest[0] = this->Wrapped(lowest[0]);
+  const bool isThere = !this->IsHidden(lowest[0] +
+    (this->Grid.Size[0] - 1) * (lowest[1] + std::int64_t(this->Grid.Size[1] - 1) * lowest[2]));
   const auto goes = [&](const Index& oddVertex, const Index& towards, Index labels, bool isBetween,
                       const Index& a, const Index& b, const Index& c) {
-    const int turn = path.Ray.Start(this->PointAt(a), this->PointAt(b), this->PointAt(c));
+    const int turn = path.Ray.Start(this->PointAt(a), this->PointAt(b), this->PointAt(c), isThere);
     if (turn < 0)
     {
       std::swap(labels[1], labels[2]);
@@ -227,7 +239,8 @@ std::array<double, 2> GridRays::DepthsFrom(std::int32_t point) const
   Path path;
   for (bool goesOn = this->Begin(point, path); goesOn; goesOn = path.GoesOn())
   {
-    path.Walk.Leave(path.Ray.Step(this->Points[path.Walk.Vertex()]));
+    const bool isThere = !this->IsHidden(path.Walk.CellNumber());
+    path.Walk.Leave(path.Ray.Step(this->Points[path.Walk.Vertex()], isThere));
   }
   return path.Ray.Depths();
 }

@@ -10,13 +10,18 @@
 #include "ChessboardGrid.h"
 #include "SunFrame.h"
 
+#include <utility>
+#include <vector>
+
 namespace nephoscope
 {
 class GridRays : public SunPaths
 {
 public:
-  explicit GridRays(const ChessboardGrid& grid)
+  /** Cells that are hidden let light through; empty: none are. */
+  GridRays(const ChessboardGrid& grid, std::vector<bool> hidden)
     : Grid(grid)
+    , Hidden(std::move(hidden))
   {
   }
 
@@ -43,7 +48,10 @@ private:
   bool BeginBeside(const Index& at, Path& path) const;
   bool BeginIn(const Index& at, const Index& side, Path& path) const;
 
+  bool IsHidden(std::int64_t cell) const { return !this->Hidden.empty() && this->Hidden[cell]; }
+
   ChessboardGrid Grid;
+  std::vector<bool> Hidden;
   std::vector<SunPoint> Points;
   LastClouds Clouds;
   bool Closed = false;

@@ -50,6 +50,12 @@ public:
 
   /** Whether the tetrahedron exists. */
   bool Inside() const { return this->IsInside; }
+  /** The cell that it is part of. */
+  std::int64_t CellNumber() const
+  {
+    return this->Cell[0] +
+      this->Cells[0] * (this->Cell[1] + std::int64_t(this->Cells[1]) * this->Cell[2]);
+  }
   /** Its vertex beyond the face. */
   std::int32_t Vertex() const { return this->Odd + this->Offset; }
 

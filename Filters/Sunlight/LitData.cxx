@@ -174,6 +174,19 @@ public:
   {
   }
 
+  /** Of all cells; empty: none are hidden. */
+  std::vector<bool> Flags(vtkDataSet* data) const
+  {
+    std::vector<bool> flags;
+    vtkNew<vtkIdList> points;
+    for (vtkIdType cell = 0, n = this->HasAny() ? data->GetNumberOfCells() : 0; cell < n; ++cell)
+    {
+      data->GetCellPoints(cell, points);
+      flags.push_back(this->Has(cell, points));
+    }
+    return flags;
+  }
+
   bool HasAny() const
   {
     return has(this->Cells, vtkDataSetAttributes::HIDDENCELL) ||
@@ -234,8 +247,9 @@ std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>&
     mayCoincide ? mergedPoints(places) : std::vector<std::int32_t>();
   std::vector<SunPoint> points = sunPoints(places, fields, merged, sun, loop);
   const ChessboardGrid grid = findChessboardGrid(data);
-  auto rays = std::make_unique<GridRays>(grid);
-  if (!grid.IsEmpty() && !hidden.HasAny() && rays->Connect(merged))
+  auto rays =
+    std::make_unique<GridRays>(grid, grid.IsEmpty() ? std::vector<bool>() : hidden.Flags(data));
+  if (!grid.IsEmpty() && rays->Connect(merged))
   {
     rays->Turn(std::move(points));
     return rays;

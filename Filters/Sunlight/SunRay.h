@@ -40,7 +40,7 @@ public:
   }
 
   /** Goes to this face across from the point: 1, or -1 if it has put the last two vertices in the place of one another; 0: the face is below or beside. */
-  int Start(const SunPoint& a, const SunPoint& b, const SunPoint& c)
+  int Start(const SunPoint& a, const SunPoint& b, const SunPoint& c, bool isThere = true)
   {
     const int turn = this->Face(a, b, c);
     if (turn == 0 ||
@@ -48,7 +48,7 @@ public:
     {
       return 0;
     }
-    this->Go();
+    this->Go(isThere);
     return turn;
   }
 
@@ -66,8 +66,8 @@ public:
     return turn;
   }
 
-  /** Through a tetrahedron with this vertex above the last face. Returns which vertex of the face (0 to 2) the new one replaces. */
-  int Step(const SunPoint& vertex)
+  /** Through a tetrahedron with this vertex above the last face; `isThere` tells whether it counts. Returns which vertex of the face (0 to 2) the new one replaces. */
+  int Step(const SunPoint& vertex, bool isThere = true)
   {
     const double x = vertex.X - this->X, y = vertex.Y - this->Y;
     double s[3];
@@ -86,7 +86,7 @@ public:
     this->Area[i] = -s[j];
     this->Area[j] = s[i];
     this->Set(out, vertex);
-    this->Go();
+    this->Go(isThere);
     return out;
   }
 
@@ -141,13 +141,14 @@ private:
   }
 
   // To the place on the face that the areas tell.
-  void Go()
+  void Go(bool isThere)
   {
     const double sum = this->Area[0] + this->Area[1] + this->Area[2];
     if (sum > 0)
     {
       const double scale = 1 / sum, height = scale * this->SumOf(this->FaceZ),
-                   half = 0.5 * (height - this->Z), first = scale * this->SumOf(this->First),
+                   half = isThere ? 0.5 * (height - this->Z) : 0,
+                   first = scale * this->SumOf(this->First),
                    second = scale * this->SumOf(this->Second);
       this->Sums[0] += half * (this->Here[0] + first);
       this->Sums[1] += half * (this->Here[1] + second);
