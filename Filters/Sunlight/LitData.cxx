@@ -174,7 +174,7 @@ public:
   {
   }
 
-  /** Of all cells; empty: none are hidden. */
+  /** One for each cell; empty: none are hidden. */
   std::vector<bool> Flags(vtkDataSet* data) const
   {
     std::vector<bool> flags;
