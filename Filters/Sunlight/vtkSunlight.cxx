@@ -424,6 +424,7 @@ int vtkSunlight::RequestData(
     return 1;
   }
   nephoscope::ReportOnce report(this, this->Failed);
+  this->OnSurface = this->IsSurfaceBelowClouds(input);
   this->WarnOfPieces(input, outputs->GetInformationObject(0));
   if (this->Blocks->IsFirstOfSeveral(input))
   {
@@ -447,7 +448,6 @@ int vtkSunlight::RequestData(
     output->ShallowCopy(toPoints->GetOutput());
   }
   this->TakeForClearAir(output);
-  this->OnSurface = this->IsSurfaceBelowClouds(output);
   if (this->OnSurface)
   {
     this->UsedExtinction = noExtinctionName;

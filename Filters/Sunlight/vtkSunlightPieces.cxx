@@ -71,8 +71,10 @@ void vtkSunlight::CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInform
 
 void vtkSunlight::WarnOfPieces(vtkDataSet* data, vtkInformation* information)
 {
+  // Parts of a surface have the shadows of all clouds if these are whole.
+  vtkDataObject* shading = this->OnSurface ? this->GetInputDataObject(1, 0) : data;
   const bool inPieces = information->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
-    information->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !nephoscope::IsStructured(data);
+    information->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !nephoscope::IsStructured(shading);
   if (inPieces && !this->ToldOfPieces && information->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
   {
     vtkWarningMacro(
