@@ -23,7 +23,6 @@ struct DirectionSweep::Cone
   std::vector<float> Fluence, X, Y; // of their light
   // For each direction, in this plane and in that upstream.
   std::vector<std::vector<float>> Radiance[2], Emission[2];
-  std::vector<float> All, AlongX, AlongY, Scale; // sources in this plane
 
   Cone(std::size_t first, std::size_t count, const Direction& direction, const LightGrid& grid)
     : First(first)
@@ -34,10 +33,6 @@ struct DirectionSweep::Cone
     for (std::vector<float>* one : { &this->Fluence, &this->X, &this->Y })
     {
       one->assign(grid.Points(), 0.0f);
-    }
-    for (std::vector<float>* one : { &this->All, &this->AlongX, &this->AlongY, &this->Scale })
-    {
-      one->resize(grid.Columns());
     }
     for (const int side : { 0, 1 })
     {
@@ -114,21 +109,15 @@ void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) cons
   {
     const std::size_t p = first + q;
     const Vector& flux = known.Flux[p];
-    const float forward = 3 * this->Grid.Asymmetry[p];
-    cone.All[q] = known.Fluence[p] + forward * cone.Z * flux[2];
-    cone.AlongX[q] = forward * flux[0];
-    cone.AlongY[q] = forward * flux[1];
-    cone.Scale[q] = this->Grid.Extinction[p] * this->Grid.Albedo[p] / (4 * pi);
-  }
-  for (std::size_t d = 0; d < cone.Count; ++d)
-  {
-    const Direction& to = this->Directions[cone.First + d];
-    const float* beam = &this->Beams[cone.First + d][first];
-    float* emission = cone.Emission[0][d].data();
-    for (std::size_t q = 0; q < columns; ++q)
+    const float forward = 3 * this->Grid.Asymmetry[p],
+                all = known.Fluence[p] + forward * cone.Z * flux[2],
+                scale = this->Grid.Extinction[p] * this->Grid.Albedo[p] / (4 * pi);
+    for (std::size_t d = 0; d < cone.Count; ++d)
     {
-      const float source = cone.All[q] + to.X * cone.AlongX[q] + to.Y * cone.AlongY[q] + beam[q];
-      emission[q] = std::max(source, 0.0f) * cone.Scale[q];
+      const Direction& to = this->Directions[cone.First + d];
+      const float source =
+        all + forward * (to.X * flux[0] + to.Y * flux[1]) + this->Beams[cone.First + d][p];
+      cone.Emission[0][d][q] = std::max(source, 0.0f) * scale;
     }
   }
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RowSweep.h"
 
-#include "EachProcessor.h"
-
 namespace nephoscope
 {
 namespace
@@ -61,8 +59,7 @@ void findPiecesFrom(
 }
 }
 
-NEPHOSCOPE_FOR_EACH_PROCESSOR void RowSweep::Run(
-  int first, int count, int forward, std::ptrdiff_t upstream)
+void RowSweep::Run(int first, int count, int forward, std::ptrdiff_t upstream)
 {
   const int low = forward > 0 ? first : first - count + 1;
   for (int i = low; i < low + count; ++i)
@@ -87,15 +84,8 @@ NEPHOSCOPE_FOR_EACH_PROCESSOR void RowSweep::Run(
       this->Slopes[u], this->Slopes[v],
       { points[upstreamOf[axis][0]], points[upstreamOf[axis][1]], points[upstreamOf[axis][2]],
         points[upstreamOf[axis][3]] } };
-    float *factor = this->Factor.data(), *rest = this->Rest.data();
-    if (axis == 0)
-    {
-      findPiecesFrom<true>(least, same, crossing, this->Here, factor, rest);
-    }
-    else
-    {
-      findPiecesFrom<false>(least, same, crossing, this->Here, factor, rest);
-    }
+    (axis == 0 ? findPiecesFrom<true> : findPiecesFrom<false>)(least, same, crossing, this->Here,
+      this->Factor.data(), this->Rest.data());
     float* radiance = this->Here.Radiance;
     for (int n = 0, i = start; n < same; ++n, i += forward)
     {

@@ -71,7 +71,7 @@ private:
   {
     const float x = this->Slopes[0] * this->Rates[0][i], y = this->Slopes[1] * this->Rates[1][i],
                 z = this->Slopes[2] * this->Rates[2][i];
-    return (z >= x) & (z >= y) ? 2 : x >= y ? 0 : 1;
+    return z >= x && z >= y ? 2 : x >= y ? 0 : 1;
   }
 
   std::vector<float> Factor, Rest;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GlobeFlow.h"
 
-#include "EachProcessor.h"
 #include "OwnThreads.h"
 
 #include "vtkDataSet.h"
@@ -10,6 +9,16 @@
 #include "vtkStructuredGrid.h"
 
 #include <cmath>
+
+// Compiled twice, all that is called inlined: for any processor, and for those with wide registers and fused multiplication, which is
+// chosen when the library is loaded. Sanitizers are not ready then.
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) && \
+  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define NEPHOSCOPE_FOR_EACH_PROCESSOR \
+  __attribute__((target_clones("arch=x86-64-v3", "default"), flatten))
+#else
+#define NEPHOSCOPE_FOR_EACH_PROCESSOR
+#endif
 
 namespace nephoscope
 {
