@@ -274,7 +274,8 @@ class WeatherAccessor:
         background : ColorLike, optional
             Colour behind the picture; text is black or white, whichever can be read. Default: that of PyVista's global theme, if it is not white, otherwise black.
         plotter : pyvista.Plotter, optional
-            Draw into the active sub-plot of this plotter, which keeps its size and its background, and do not show it: call ``plotter.show()``.
+            Draw into the active sub-plot of this plotter, which keeps its size and its background, and do not show it: call ``plotter.show()``. A field that is in other sub-plots
+            as well, such as that of another time, has one range in all of them, unless `clim` is given or less than half of the ranges is common.
         **options
             Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``contours``, ``layers``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
             ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``

@@ -1,18 +1,27 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scalar bars of first pictures: labels with as many digits as the range needs, and room for them in small windows."""
+"""Scalar bars of first pictures: labels with as many digits as the range needs, room for them in small windows and beside each other, and one range for fields that are to be compared."""
 from __future__ import annotations
 
 import textwrap
+from typing import Any, Callable
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import pyvista
+from vtkmodules.vtkCommonCore import vtkScalarsToColors
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
 from .._bars import title_in
 from .view import size_of
 
+FONTS = {"title_font_size": 14, "label_font_size": 12}
+BESIDE = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "n_labels": 4, **FONTS}  # the globe
+BELOW = {"vertical": False, "position_x": 0.25, "position_y": 0.02, "width": 0.5, "height": 0.09, "n_labels": 4, **FONTS}  # the map
+SHARED = (0.06, 0.94)  # of the height of the picture, for several upright bars, or of its width, for several lying ones
+GAP = (0.03, 0.08)  # between upright ones and lying ones
+ALIKE = 0.5  # of the range of two fields of one name, at least, is in the range of both, if they have one range
 RIGHT = 0.885  # left edge of an upright bar in a window that has room beside it, as a share of the width
 EDGE = 6  # pixels between text and the edge of the window
 NARROWEST = 26  # pixels of a bar with its labels' gap
@@ -30,18 +39,60 @@ def label_format(low: float, high: float, count: int) -> str:
     return next((text for text in formats if np.abs([float(text % value) - value for value in values]).max() <= PARTS * step), formats[-1])
 
 
-def finish_bars(plotter: pyvista.BasePlotter, title) -> None:
-    """Titles, labels and places of all scalar bars; upright ones may take room from the picture beside them. `title`: of the name of an array."""
+_finished: WeakKeyDictionary[vtkScalarBarActor, str | None] = WeakKeyDictionary()  # what a bar tells; None if its range was asked for
+
+
+def finish_bars(plotter: pyvista.BasePlotter, title: Callable[[str], str], clim: Any = None) -> None:
+    """Titles, labels and places of the new scalar bars of a sub-plot; upright ones may take room from the picture beside them. `title`: of the name of an array. `clim`: the range that was asked for."""
     for key, bar in plotter.scalar_bars.items():
-        if bar.GetTitle() != title_in(key) or not plotter.renderer.HasViewProp(bar):  # it is finished, or another sub-plot's
+        if bar in _finished or not plotter.renderer.HasViewProp(bar):
             continue
-        set_title(bar, title(title_in(key)))
-        table = bar.GetLookupTable()
-        count, logarithmic = bar.GetNumberOfLabels(), bool(table.UsingLogScale())
-        if not logarithmic:
-            bar.SetLabelFormat(label_format(*table.GetRange(), count))
-        widest = max(_width(plotter, bar.GetLabelTextProperty(), text) for text in _labels(bar, logarithmic))
-        (_fit_upright if bar.GetOrientation() else _fit_lying)(plotter, bar, widest)
+        text = title(title_in(key))
+        set_title(bar, text)
+        _label(bar)
+        if clim is None:
+            _share_range(plotter, key, bar, text)
+        _finished[bar] = text if clim is None else None
+    bars = [bar for bar in plotter.scalar_bars.values() if bar in _finished and plotter.renderer.HasViewProp(bar)]
+    for upright in (0, 1):
+        alike = [bar for bar in bars if bar.GetOrientation() == upright]
+        if len(alike) > 1:
+            _place_side_by_side(alike, upright)
+        for bar in alike:
+            widest = max(_width(plotter, bar.GetLabelTextProperty(), label) for label in _labels(bar, bool(bar.GetLookupTable().UsingLogScale())))
+            (_fit_upright if upright else _fit_lying)(plotter, bar, widest)
+
+
+def _label(bar: vtkScalarBarActor) -> None:
+    table = bar.GetLookupTable()
+    if not table.UsingLogScale():
+        bar.SetLabelFormat(label_format(*table.GetRange(), bar.GetNumberOfLabels()))
+
+
+def _share_range(plotter: pyvista.BasePlotter, key: str, bar: vtkScalarBarActor, text: str) -> None:
+    """One range for fields of one title in several sub-plots, such as those of two times, if their ranges are much alike; others, such as temperatures high and low, would have few colours."""
+    alike = {key: bar, **{other: one for other, one in plotter.scalar_bars.items() if _finished.get(one) == text and _are_alike(bar.GetLookupTable(), one.GetLookupTable())}}
+    ranges = np.array([one.GetLookupTable().GetRange() for one in alike.values()])
+    for name, one in alike.items() if len(alike) > 1 else ():
+        plotter.update_scalar_bar_range([ranges[:, 0].min(), ranges[:, 1].max()], name)
+        _label(one)
+
+
+def _are_alike(*tables: vtkScalarsToColors) -> bool:
+    low, high = np.transpose([table.GetRange() for table in tables])
+    return tables[0].UsingLogScale() == tables[1].UsingLogScale() and high.min() - low.max() > ALIKE * (high.max() - low.min())
+
+
+def _place_side_by_side(bars: list[vtkScalarBarActor], upright: int) -> None:
+    """From the upper one down, or from the left one to the right."""
+    share, gap = (SHARED[1] - SHARED[0]) / len(bars), GAP[0 if upright else 1]
+    for number, bar in enumerate(bars):
+        if upright:
+            bar.SetPosition(bar.GetPosition()[0], SHARED[1] - (number + 1) * share + 0.5 * gap)
+            bar.SetHeight(share - gap)
+        else:
+            bar.SetPosition(SHARED[0] + number * share + 0.5 * gap, bar.GetPosition()[1])
+            bar.SetWidth(share - gap)
 
 
 def _labels(bar: vtkScalarBarActor, logarithmic: bool) -> list[str]:

@@ -12,11 +12,11 @@ from .._bars import add_mesh
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .._over_time import follows
-from .bars import finish_bars, make_room
+from .bars import BESIDE, finish_bars, make_room
 from .exaggeration import say
 from .faces import FACES, fills_the_box, outer_faces
 from .look import surface_look, with_share
-from .picture import BESIDE, VOLUME, refuse_volume, without_missing
+from .picture import VOLUME, refuse_volume, without_missing
 from .scales import add_scales
 from .section_ground import LAND, ground_of, visible
 from .sections import unrolled
@@ -58,7 +58,7 @@ def draw_section(plotter: pyvista.BasePlotter, sheet: pyvista.StructuredGrid, sc
     for part in ground_of(sheet):
         plotter.add_mesh(part, color=LAND, lighting=False, reset_camera=False)
     title = _draw_section(plotter, sheet, name, {"scalar_bar_args": BESIDE, **options}, "y", scales, title)
-    finish_bars(plotter, title)
+    finish_bars(plotter, title, options.get("clim"))
     make_room(plotter, as_high=False)
 
 
@@ -76,7 +76,7 @@ def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str 
         flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
         title = _draw_section(plotter, grid, scalars, options, flat, _lengths(grid), title)
     say(plotter, grid)
-    finish_bars(plotter, title)
+    finish_bars(plotter, title, options.get("clim"))
     make_room(plotter, as_high=False)
 
 

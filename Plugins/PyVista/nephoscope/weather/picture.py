@@ -16,7 +16,7 @@ from .._medium import association_of, default_scalars, diagonal
 from .._over_time import follows
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface, is_map, planet_radius
-from .bars import finish_bars, make_room
+from .bars import BELOW, BESIDE, finish_bars, make_room
 from .horizontal import GridError, section
 from .look import surface_look, with_share
 from .lowest import LOWEST, fills_the_air, lowest_level
@@ -27,9 +27,6 @@ from .shadows import shade
 from .view import Frame, is_place, picture_theme, set_view, size_of
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
-FONTS = {"title_font_size": 14, "label_font_size": 12}
-BESIDE = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "n_labels": 4, **FONTS}  # the globe
-BELOW = {"vertical": False, "position_x": 0.25, "position_y": 0.02, "width": 0.5, "height": 0.09, "n_labels": 4, **FONTS}  # the map
 VOLUME = ("contours", "layers", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")  # options of volumes alone
 STRIP = 0.18  # of the height of the picture, at its lower edge, for the scalar bar and the degrees of longitude below a map
 LABELS = 0.08  # of the width of the picture, at its left edge, for the degrees of latitude
@@ -102,7 +99,7 @@ def darken(plotter: pyvista.BasePlotter, alone: bool = False) -> None:
 
 def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str], view: Any = None) -> None:
     """The field, the Earth below it, the scalar bar and the view."""
-    on_globe = not is_map(grid)
+    on_globe, clim = not is_map(grid), options.get("clim")
     name = default_scalars(grid)[1] if scalars is None else scalars
     if not follows(grid) and fills_the_air(grid, name, options, VOLUME):
         grid = lowest_level(grid, name)
@@ -121,7 +118,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         look = surface_look(plotter, grid, name, association, options)
         title = with_share(title, grid, name, association, options, look)
         culling = _far_side(sheet) if on_globe and sheet is grid else None
-        add_mesh(plotter, sheet, name, scalars=name, **{"nan_opacity": float(sheet is not grid), "lighting": False, "culling": culling, **look})
+        add_mesh(plotter, sheet, name, scalars=name, **{"nan_opacity": float(not follows(grid)), "lighting": False, "culling": culling, **look})
     else:
         if sea:
             asked = options
@@ -131,7 +128,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         sun = np.ravel(volume.mapper.dataset.field_data["SunDirection"])[:3] if "sun" in options else None
         if "sun" in options and earth is not None:
             shade(earth, volume.mapper.dataset)
-    finish_bars(plotter, title)
+    finish_bars(plotter, title, clim)
     limits = None if on_globe else _limits_of_map(grid)
     if limits is not None:
         _finish_map(plotter, grid, limits)
