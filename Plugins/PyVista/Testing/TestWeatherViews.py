@@ -87,6 +87,25 @@ class Views(unittest.TestCase):
         with self.assertWarnsRegex(UserWarning, part_at_night):
             self.plotted(part.isel(time=1), "cc", sun=True, projection="map")
 
+    def test_added_in_the_sun(self):
+        """Sun, camera and shadows of what add_cells and add_splats draw of a dataset are those of `plot`; a region fills the picture."""
+        blob = weather().expand_dims(time=1).assign_coords(time=np.array(["2020-06-21T06"], "M8[ns]"))
+        everywhere = blob.assign(cc=blob["cc"] * 0 + np.cos(np.radians(6 * blob.longitude)) ** 2)
+        part = blob.sel(longitude=slice(80, 120), latitude=slice(50, 10))
+        for dataset, camera in ((blob, (100, 30)), (everywhere, (130, 23.4)), (part, (100, 30))):
+            for add in (nephoscope.add_cells, nephoscope.add_splats):
+                with self.subTest(sizes=dataset.sizes, add=add.__name__), warnings.catch_warnings():
+                    warnings.filterwarnings("ignore", "There is no cloud water")
+                    plotter = pyvista.Plotter(off_screen=True, window_size=(120, 120))
+                    self.addCleanup(plotter.close)
+                    volume = add(plotter, dataset, sun=True)
+                    np.testing.assert_allclose(volume.mapper.dataset.field_data["SunDirection"][0], frames(90, 23.4)[2], atol=0.02)
+                    np.testing.assert_allclose(self.place(plotter), camera, atol=5)
+                    self.assertEqual(np.linalg.norm(plotter.camera.position) < 2.5e7, dataset is part)
+                    self.assertEqual(len(plotter.scalar_bars), 0)
+                    earth = next(actor for actor in plotter.renderer.actors.values() if getattr(actor, "texture", None) is not None)
+                    self.assertIn("Shade", earth.mapper.dataset.array_names)
+
     def test_points_that_repeat_at_regular_distances(self):
         """The middle is that of all of them: every eighth of these is in the north."""
         rng = np.random.default_rng(0)

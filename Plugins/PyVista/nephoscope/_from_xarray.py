@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import sys
+import warnings
 from typing import Any
 
+import numpy as np
 import pyvista
 from vtkmodules.vtkRenderingCore import vtkProp3D
 
@@ -52,10 +54,30 @@ def darken_for(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet) -
             darken(plotter, alone=True)
 
 
-def add_earth_for(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet, name: str) -> None:
-    """Adds the Earth below data of xarray on a globe, if the active sub-plot is empty. A camera that is not set looks at the side on which the field `name` has most."""
-    if _has_earth(plotter, data, mesh):
-        from .weather.picture import add_earth, turn_to_field
-        add_earth(plotter, mesh)
-        if not plotter.renderer.camera.is_set:
-            turn_to_field(plotter, mesh, name)
+def sun_for(data: Any, mesh: pyvista.DataSet, sun: Any) -> Any:
+    """The argument `sun` of `add_cells` with what ``dataset.nephoscope.plot`` adds to it for data of xarray on a globe: the date and the names of the water."""
+    if not is_weather(data) or "GlobeGridProjection" not in mesh.field_data:
+        return sun
+    from .weather.in_the_sun import sun_of
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of which the mesh has told
+        reading = _accessor(data)._reading(None, {})
+    return sun_of(sun, reading, mesh)
+
+
+def add_earth_for(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet, name: Any, is_lit: bool = False) -> None:
+    """Adds the Earth below data of xarray on a globe, if the active sub-plot is empty, with the shadows of lit clouds. A camera that is not set looks at the side on which the field has most.
+    `name`: of the field or, in the sun, the `scalars` that were asked for."""
+    if not _has_earth(plotter, data, mesh):
+        return
+    from .weather.picture import add_earth, turn_to_field
+    earth, sun = add_earth(plotter, mesh), None
+    if is_lit:
+        from ._medium import default_scalars
+        from .weather.shadows import shade
+        name = name if isinstance(name, str) and name in mesh.array_names else default_scalars(mesh)[1]
+        sun = np.ravel(mesh.field_data["SunDirection"])[:3]
+        if earth is not None:
+            shade(earth, mesh)
+    if not plotter.renderer.camera.is_set:
+        turn_to_field(plotter, mesh, name, sun)

@@ -174,7 +174,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     sun : sequence of 3 float, str, dict or True, optional
         Draws clouds lit by the sun: the direction towards the sun, a date and time in UTC such as ``"2011-10-11 18:30"``, or a dict of
         arguments of `sunlight` and `cloud_optics`: ``{'time': "2011-10-11 18:30", 'liquid': 'QC', 'units': 'g/kg'}``. True: uses the light in `grid`, or computes it with
-        `sunlight` if there is none. Without an array ``Extinction``, ``'extinction'`` names the array that is the extinction coefficient, per unit of length:
+        `sunlight` if there is none, for data of xarray on a globe with the sun at their time, as ``dataset.nephoscope.plot`` does. Without an array ``Extinction``, ``'extinction'`` names the array that is the extinction coefficient, per unit of length:
         ``{'direction': (1, 0, 1), 'extinction': 'f'}``; otherwise `cloud_optics` computes it from the water of `grid`. The light then determines `scalars`, opacities and the unit
         distance; `cmap`, `clim` and `opacity_scale` may
         be given. A light from the sun takes the place of the lights of the renderer, unless it has scene lights, so that the ground is lit as well.
@@ -208,7 +208,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     >>> nephoscope.add_cells(plotter, clouds, scalars="cloud_fraction", cmap=["white", "white"])  # doctest: +SKIP
     """
     require_plotter(plotter)
-    data = grid
+    data, field = grid, scalars
     surfaces = group("contours", contours, Contours, "values", old, CONTOUR_NAMES)
     painted = group("polygons", polygons, Polygons, "which", old, POLYGON_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
@@ -217,7 +217,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     if sun is not None:
         refuse_color(color)
         show_scalar_bar = bool(show_scalar_bar)
-        light = lit_medium(plotter, _solid_grid(grid, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
+        light = lit_medium(plotter, data, _solid_grid(grid, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
         grid, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
     grid = _solid_grid(grid, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                               "contours['scalars']": surfaces.scalars, "layer_scalars": layer_scalars})
@@ -252,7 +252,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     bar = (mapper.lookup_table, title_of_scalars(grid, array_name, association, component))
     if layers is not None and (bar := divided.bar(mapper, grid, array_name, surfaces.scalars or array_name, bar[1])) is None:
         show_scalar_bar, bar = False, (mapper.lookup_table, "")
-    add_earth_for(plotter, data, grid, array_name)
+    add_earth_for(plotter, data, grid, array_name if sun is None else field, sun is not None)
     words = title_with_units(data, grid, array_name, bar[1]) if layers is None else None
     return add_medium(plotter, mapper, prop, bar[1], words=words, bar_table=bar[0], user_matrix=user_matrix, show_scalar_bar=show_scalar_bar, scalar_bar_args=scalar_bar_args,
                       reset_camera=reset_camera, name=name, pickable=pickable, render=render)

@@ -16,7 +16,8 @@ from ._blocks import cell_dimension
 from ._checks import arrays_of, choose, require_number
 from ._dates import as_time, options_of
 from ._fields import preset_of_field
-from ._medium import one_mesh
+from ._from_xarray import is_weather, sun_for
+from ._medium import default_scalars, one_mesh
 from ._pipeline import set_input, vtk_messages
 from ._typing import AnyMesh, Mesh, Numbers
 from .optics import cloud_optics, optics_of
@@ -322,10 +323,13 @@ def refuse_color(color: Any) -> None:
         raise ValueError("color and sun are both given, but sun determines the colours. Pass cmap for other colours.")
 
 
-def lit_medium(plotter: pyvista.BasePlotter, mesh: pyvista.DataSet, sun: Any, cmap: Any, clim: Any, n_colors: int, exposure: float | None,
+def lit_medium(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet, sun: Any, cmap: Any, clim: Any, n_colors: int, exposure: float | None,
                tone_mapping: str) -> dict[str, Any]:
-    """The mesh with its light that `add_cells` and `add_splats` draw with `sun`, and the arguments for drawing it. The plotter gets the sun."""
-    mesh = lit(mesh, sun)
+    """The mesh with its light that `add_cells` and `add_splats` draw with `sun`, and the arguments for drawing it. The plotter gets the sun. `data`: what the mesh was made of."""
+    field = default_scalars(mesh)[1] if is_weather(data) else None
+    mesh = lit(mesh, sun_for(data, mesh, sun))
+    if field is not None:
+        mesh.set_active_scalars(field)  # what the camera looks at
     add_sun(plotter, recorded_sun(mesh))
     densest = float(np.max(mesh["ScaledExtinction"], initial=0)) or 1.0
     return {"mesh": mesh, "scalars": "Sunlight", "opacity_scalars": "ScaledExtinction", "opacity": "linear", "opacity_clim": (0.0, densest),

@@ -248,20 +248,20 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     >>> volume.mapper.phase = 0.25  # doctest: +SKIP
     """
     require_plotter(plotter)
-    data = mesh
+    data, field = mesh, scalars
     streaks = group("vectors", vectors, Vectors, "array", old, VECTOR_NAMES)
     detail = group("level_of_detail", level_of_detail, LevelOfDetail, "tolerance", old, DETAIL_NAMES)
     opacity_unit_distance = renamed_argument(opacity_unit_distance, "opacity_unit_distance", old.pop("unit_distance", None), "unit_distance")
     refuse_unknown(add_splats, old)
     brightest(None, exposure, tone_mapping)  # rejects wrong values, also without sun
+    shows_bars = plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar
     if sun is not None:
         refuse_color(color)
-        light = lit_medium(plotter, _sampled_mesh(mesh, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
+        light = lit_medium(plotter, data, _sampled_mesh(mesh, {}), sun, cmap, clim, n_colors, exposure, tone_mapping)
         mesh, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
-        preference = "point"
+        preference, show_scalar_bar = "point", bool(show_scalar_bar)
     mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                                 "vectors": streaks.array, "vectors['scalars']": streaks.scalars, "sizes": sizes, "volumes": volumes})
-    shows_bars = plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar
     uniform = scalars is None and (color is not None or is_bare(mesh))
     if color is not None or uniform:
         cmap, show_scalar_bar = uniform_colours(plotter, color, cmap), bool(show_scalar_bar)
@@ -287,7 +287,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
         show_scalar_bar = False  # nothing uses its colours
     title = title_of_scalars(mesh, array_name, association, component)
-    add_earth_for(plotter, data, mesh, array_name)
+    add_earth_for(plotter, data, mesh, array_name if sun is None else field, sun is not None)
     volume = add_medium(plotter, mapper, prop, title, words=title_with_units(data, mesh, array_name, title), user_matrix=user_matrix, show_scalar_bar=show_scalar_bar,
                         scalar_bar_args=scalar_bar_args, reset_camera=reset_camera, name=name, pickable=pickable, render=render)
     if shows_bars:

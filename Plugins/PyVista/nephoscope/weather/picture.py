@@ -11,7 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkProp3D
 
 from .._bars import add_mesh
 from .._blocks import cell_dimension
-from .._globe_camera import look_down
+from .._globe_camera import look_at_region, look_down
 from .._medium import association_of, default_scalars, diagonal
 from .._over_time import follows
 from ..cells import add_cells
@@ -143,11 +143,13 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         make_room(plotter, as_high=True)
 
 
-def turn_to_field(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str) -> None:
-    """Turns the camera to the side of a globe that `draw` shows; what has been drawn is in the middle of the picture."""
-    look_down(plotter, grid, seen(grid), name, None)
-    plotter.camera.SetWindowCenter(0, 0)
-    plotter.reset_camera(render=False)
+def turn_to_field(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, sun: np.ndarray | None = None) -> None:
+    """Turns the camera to the side of a globe that `draw` shows, or to a region; what has been drawn is in the middle of the picture."""
+    look_at_region(plotter, grid)
+    if not plotter.renderer.camera.is_set:
+        look_down(plotter, grid, seen(grid), name, None, sun=sun)
+        plotter.camera.SetWindowCenter(0, 0)
+        plotter.reset_camera(render=False)
 
 
 def refuse_volume(options: dict) -> None:
