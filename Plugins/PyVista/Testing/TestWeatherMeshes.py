@@ -270,7 +270,7 @@ class LowestLevel(unittest.TestCase):
             with self.subTest(name):
                 data, north = self.with_temperature(dataset)
                 plotter = self.plotted(data)
-                sheet = next(actor.mapper.dataset for actor in plotter.renderer.actors.values() if "LowestLevel" in getattr(getattr(actor.mapper, "dataset", None), "array_names", ()))
+                sheet = next(actor.mapper.dataset for actor in plotter.renderer.actors.values() if "NephoscopeForm" in getattr(getattr(actor.mapper, "dataset", None), "array_names", ()))
                 self.assertEqual(sheet.n_cells, data.nephoscope.globe().n_cells // (3 if "ta" in sheet.cell_data else 2))
                 np.testing.assert_allclose(sheet["ta"], 250 + north + 10 * (north > 0), atol=1e-3)
                 np.testing.assert_allclose(np.linalg.norm(sheet.points, axis=1), 6371000, atol=1)

@@ -264,7 +264,7 @@ class WeatherAccessor:
         opacity, cmap, clim : optional
             As in `nephoscope.add_cells`. Water below the sea level is opaque by default, unless the field is zero almost everywhere.
             Temperatures of the air are drawn in the lowest level above the ground, and on the outer faces of a flat grid, unless ``opacity`` or another option of
-            volumes is given.
+            volumes is given. Geopotentials, heights and pressures on levels are drawn minus the mean of the level or, around the globe, of the latitude, as the scalar bar says, unless one of these, ``cmap`` or ``clim`` is given.
         window_size : sequence of 2 int, optional
             Width and height of the picture in pixels. Default: (800, 800), and less high for a map that is wider than high.
         view : sequence of 2 float, str or sequence, optional

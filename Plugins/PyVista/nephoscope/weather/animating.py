@@ -20,8 +20,7 @@ from .._film_motion import motion
 from .._options import refuse_unknown
 from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
-from .faces import fills_the_box, outer_faces
-from .lowest import fills_the_air, lowest_level
+from .forms import form_of
 from .mesh_series import MeshSeries, is_meshes, mesh_series
 from .one_level import one_level
 from .reduced_series import ReducedSeries
@@ -148,10 +147,9 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
         series.stop()
         from .flat_picture import shape_of_section
         return SectionSeries(section, shape_of_section(plotter), **options), draw
-    fills, reduced = (fills_the_air, lowest_level) if on_earth else (fills_the_box, outer_faces)
-    if fills(series.mesh, draw, look):
+    if (form := form_of(series.mesh, draw, look)) is not None:
         series.stop()
-        return ReducedSeries(section, lambda mesh: reduced(mesh, draw), **options), draw
+        return ReducedSeries(section, form, **options), draw
     return series, draw
 
 

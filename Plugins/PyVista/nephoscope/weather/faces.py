@@ -3,23 +3,13 @@
 """Fields that fill all of a flat grid, such as the temperature: as a volume they are a haze in which nothing is seen, so that a first picture shows them on the faces of the grid."""
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pyvista
 
-from .._blocks import cell_dimension, outer_surface
-from .lowest import is_filling
-
-FACES = "OuterFaces"  # field array of such faces
+from .._blocks import outer_surface
 
 
-def fills_the_box(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
-    """Whether a picture of the array `name` is better one of the faces of the grid, unless one of the `options` is `of_volumes` or the opacity."""
-    return cell_dimension(grid) == 3 and is_filling(grid, name, options, of_volumes)
-
-
-def outer_faces(grid: pyvista.DataSet, name: str) -> pyvista.PolyData:
+def outer_faces(grid: pyvista.DataSet, name: str) -> tuple[pyvista.PolyData, str]:
     """The faces of the grid, with the values of its point array `name` alone. Points without a value, such as those below the ground, are left out."""
     alone = grid.copy(deep=False)
     alone.clear_data()
@@ -29,5 +19,4 @@ def outer_faces(grid: pyvista.DataSet, name: str) -> pyvista.PolyData:
         alone = alone.extract_points(there, adjacent_cells=False)
     faces = outer_surface(alone)
     faces.GetFieldData().ShallowCopy(grid.GetFieldData())
-    faces.field_data[FACES] = [1]
-    return faces
+    return faces, "outer faces"

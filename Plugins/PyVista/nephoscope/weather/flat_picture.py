@@ -14,9 +14,9 @@ from .._medium import association_of, default_scalars
 from .._over_time import follows
 from .bars import BESIDE, finish_bars, make_room
 from .exaggeration import say
-from .faces import FACES, fills_the_box, outer_faces
+from .forms import form_of, told_form
 from .look import surface_look, with_share
-from .picture import VOLUME, refuse_volume, without_missing
+from .picture import refuse_volume, without_missing
 from .scales import add_scales
 from .section_ground import LAND, ground_of, visible
 from .sections import unrolled
@@ -66,9 +66,10 @@ def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str 
     """The field as a volume in the outline of its grid, seen from the south and from above, or on the faces of the grid if it fills all of it; a field of one level or a section as a surface."""
     options = {"scalar_bar_args": BESIDE, **options}
     name = default_scalars(grid)[1] if scalars is None else scalars
-    if not follows(grid) and fills_the_box(grid, name, options, VOLUME):
-        grid = outer_faces(grid, name)
-    if FACES in grid.field_data:
+    if not follows(grid) and (form := form_of(grid, name, options)) is not None:
+        grid, scalars = form(grid), name
+    title = told_form(title, grid)
+    if isinstance(grid, pyvista.PolyData):
         title = _draw_faces(plotter, grid, name, options, title)
     elif cell_dimension(grid) == 3:
         _draw_volume(plotter, grid, scalars, options)
@@ -97,8 +98,7 @@ def _draw_faces(plotter: pyvista.BasePlotter, faces: pyvista.PolyData, name: str
     plotter.add_mesh(faces.outline(), color="grey")
     add_mesh(plotter, faces, name, scalars=name, **{"lighting": False, **look})
     _look_from_the_south(plotter)
-    of_volume = with_share(title, faces, name, association, options, look)
-    return lambda array: f"{of_volume(array)}\nouter faces"
+    return with_share(title, faces, name, association, options, look)
 
 
 def _look_from_the_south(plotter: pyvista.BasePlotter) -> None:

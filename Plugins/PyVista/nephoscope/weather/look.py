@@ -16,6 +16,7 @@ from .roles import ROLES, candidates
 from .units import knows, plain
 
 CODES = "_is_codes"  # ending of the name of a field array
+STRATIFIED = "_is_stratified"  # likewise
 SHEER = ("clouds", "cloud water", "rain", "smoke")  # presets of what is not everywhere: where there is none of it, the ground is seen
 WHITE = ("clouds", "cloud water")  # among them: thin ones show more of the ground, and are not darker
 _OF_ROLES = {"temperature": "temperature", "potential_temperature": "temperature", "u": "wind component", "v": "wind component", "w": "wind component", "specific_humidity": "humidity",
@@ -26,6 +27,7 @@ _OF_WORDS = ((r"vorticity|divergence|anomaly|tendency|increment", "wind componen
              (r"wind|velocity|flux", "wind component"), (r"cloud.*(fraction|cover)|(fraction|cover).*cloud", "clouds"), (r"humidity|water[ _]vapou?r|dew[ _]point", "humidity"),
              (r"rain|snow|precipitation|reflectivity|graupel|hail", "rain"), (r"cloud|condensate|liquid[ _]water|ice[ _]water", "cloud water"), (r"smoke|dust|aerosol|soot|ash\b", "smoke"))
 _OF_QUANTITIES = {"equivalent_potential_temperature": "temperature", "water_vapour": "humidity", "cloud_content": "cloud water"}
+_IN_LEVELS = ("geopotential_height", "geopotential", "altitude", "pressure")  # roles of fields that are nearly the same in all of a level
 _NEVER = re.compile(r"time|altitude|height|(?<!optical[ _])thickness|pressure|geopotential|cell[ _]area|mask")  # whatever else the name says
 
 
@@ -33,6 +35,8 @@ def note_look(mesh: pyvista.DataSet, dataset, name: str) -> None:
     """Writes into `mesh` which preset suits its array `name`, if the name alone does not tell, and whether its values are codes, as CF's ``flag_values`` say."""
     if name in dataset.variables and "flag_values" in dataset[name].attrs:
         mesh.field_data[name + CODES] = [1]
+    if name in dataset.variables and any(candidates(ROLES[role], [(name, dataset[name])]) for role in _IN_LEVELS):
+        mesh.field_data[name + STRATIFIED] = [1]
     found = suited(dataset, name)
     if found and preset_of_field(name, mesh) is None:
         mesh.field_data[name + PRESET_ENDING] = [found]

@@ -3,35 +3,14 @@
 """Fields that fill all of the air, such as the temperature: as a volume they are a haze in which nothing is seen, so that a first picture shows them at the ground."""
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pyvista
 
-from .._fields import preset_of_field
 from ..globe import is_map, planet_radius
 from .prisms import HIDDEN_CELL, HIDDEN_POINT, LEVEL_SIZE, bases
-from .sea import is_sea
-
-LOWEST = "LowestLevel"  # field array of such a level
-FILLING = ("temperature",)  # presets of such fields
 
 
-def fills_the_air(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
-    """Whether a picture of the array `name` of a volume is better one of its lowest level, unless one of the `options` is `of_volumes` or the opacity. A structured grid has the array on points."""
-    has_levels = min(grid.dimensions) > 1 and name in grid.point_data if isinstance(grid, pyvista.StructuredGrid) else LEVEL_SIZE in grid.field_data
-    return has_levels and not is_sea(grid) and is_filling(grid, name, options, of_volumes)
-
-
-def is_filling(grid: pyvista.DataSet, name: str, options: dict[str, Any], of_volumes: tuple[str, ...] = ()) -> bool:
-    """Whether the array `name` is a quantity that fills all of the air, such as a temperature, and no option asks for a volume: neither an opacity nor one `of_volumes`."""
-    if any(option in options for option in ("opacity", *of_volumes)):
-        return False
-    preset = preset_of_field(name, grid)
-    return preset is not None and preset.name in FILLING
-
-
-def lowest_level(grid: pyvista.StructuredGrid | pyvista.UnstructuredGrid, name: str) -> pyvista.StructuredGrid | pyvista.UnstructuredGrid:
+def lowest_level(grid: pyvista.StructuredGrid | pyvista.UnstructuredGrid, name: str) -> tuple[pyvista.StructuredGrid | pyvista.UnstructuredGrid, str]:
     """The values of the array `name` in the lowest point or cell of each column that is above the ground and has one, at the height 0 of the globe or the map.
     `grid`: structured, with the array on points, or as `place_columns` makes it."""
     on_points = name in grid.point_data
@@ -46,10 +25,9 @@ def lowest_level(grid: pyvista.StructuredGrid | pyvista.UnstructuredGrid, name: 
     sheet = _level(grid, cells, _on_the_ground(grid, places[first, columns] if on_points else places[0]))
     (sheet.point_data if on_points else sheet.cell_data)[name] = np.where(there.any(axis=0), values[first, columns], np.nan)
     sheet.GetFieldData().ShallowCopy(grid.GetFieldData())
-    sheet.field_data[LOWEST] = [1]
     if LEVEL_SIZE in sheet.field_data:
         sheet.field_data.remove(LEVEL_SIZE)
-    return sheet
+    return sheet, "lowest level"
 
 
 def _level(grid: pyvista.DataSet, cells: int, points: np.ndarray) -> pyvista.StructuredGrid | pyvista.UnstructuredGrid:

@@ -17,9 +17,9 @@ from .._over_time import follows
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface, is_map, planet_radius
 from .bars import BELOW, BESIDE, finish_bars, make_room
+from .forms import VOLUME, form_of, told_form
 from .horizontal import GridError, section
 from .look import surface_look, with_share
-from .lowest import LOWEST, fills_the_air, lowest_level
 from .prisms import HIDDEN_CELL, HIDDEN_POINT
 from .scales import EAST, NORTH, add_scales
 from .sea import is_sea, look_of_water
@@ -27,7 +27,6 @@ from .shadows import shade
 from .view import Frame, is_place, picture_theme, set_view, size_of
 from .ground import add_coasts, add_ground, globe_coasts, map_coasts, map_ground
 
-VOLUME = ("contours", "layers", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")  # options of volumes alone
 STRIP = 0.18  # of the height of the picture, at its lower edge, for the scalar bar and the degrees of longitude below a map
 LABELS = 0.08  # of the width of the picture, at its left edge, for the degrees of latitude
 MARGIN = 0.04  # of the width and of the height, around a map
@@ -101,11 +100,9 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
     """The field, the Earth below it, the scalar bar and the view."""
     on_globe, clim = not is_map(grid), options.get("clim")
     name = default_scalars(grid)[1] if scalars is None else scalars
-    if not follows(grid) and fills_the_air(grid, name, options, VOLUME):
-        grid = lowest_level(grid, name)
-    if LOWEST in grid.field_data:
-        of_volume = title
-        title = lambda array: f"{of_volume(array)}\nlowest level"  # noqa: E731
+    if not follows(grid) and (form := form_of(grid, name, options)) is not None:
+        grid, scalars = form(grid), name
+    title = told_form(title, grid)
     sun = None
     flat = cell_dimension(grid) < 3
     sea = not flat and is_sea(grid)

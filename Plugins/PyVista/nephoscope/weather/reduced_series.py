@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The time steps of a field that fills all of the air, as `plot` draws it: in its lowest level, or on the faces of its grid."""
+"""The time steps of a field in the form in which `plot` draws it, such as its lowest level."""
 from __future__ import annotations
 
 from typing import Any, Callable
