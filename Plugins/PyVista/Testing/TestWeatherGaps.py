@@ -45,6 +45,23 @@ class Gaps(unittest.TestCase):
             np.testing.assert_allclose(np.unique(np.rint(np.asarray(mesh["Height"]) / 10)), [146, 557, 917], atol=1)
             self.assertFalse([text for text in told if "Nothing is drawn" in text])
 
+    def test_a_film_of_a_field_on_every_second_level(self):
+        """Has the levels that `plot` draws, also if the field begins later, and also in a plotter with other contents."""
+        for first in (0, 1):
+            steps = [{"dataDate": 20200101 + step} for step in range(3)]
+            fields = [("gh", "isobaricInhPa", level, height, step) for step in steps for level, height in HEIGHTS.items()]
+            write_grib(self.path, fields + [("absv", "isobaricInhPa", level, 1e-4 * level, step) for step in steps[first:] for level in LEVELS[::2]], REGULAR)
+            for contents in (False, True):
+                plotter = pyvista.Plotter(off_screen=True, window_size=(100, 100))
+                self.addCleanup(plotter.close)
+                if contents:
+                    plotter.add_mesh(pyvista.Sphere(radius=6e6))
+                series = nephoscope.animate(plotter, nephoscope.open(self.path), "absv")
+                self.addCleanup(series.close)
+                self.assertEqual(series.mesh.dimensions[2], 3)
+                series.show(1)
+                self.assertTrue(np.isfinite(np.asarray(series.mesh["absv"])).all())
+
     def test_a_field_on_one_level_between_others(self):
         write_grib(self.path, [("gh", "isobaricInhPa", level, height) for level, height in HEIGHTS.items()] + [("absv", "isobaricInhPa", level, 1e-4) for level in (500,)], REGULAR)
         self.assertIsInstance(self.drawn("absv")[0], pyvista.DataSet)

@@ -20,12 +20,13 @@ from .._film_motion import motion
 from .._options import refuse_unknown
 from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
+from .filled import filled
 from .forms import form_of
 from .mesh_series import MeshSeries, is_meshes, mesh_series
-from .one_level import one_level
+from .one_level import part_of
 from .reduced_series import ReducedSeries
 from .section_series import SectionSeries
-from .sections import as_section, axis_of_section
+from .sections import axis_of_section
 from .series import Series
 
 LABEL = "nephoscope_time"  # name of the actor
@@ -131,26 +132,35 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
         return dataset, draw
     from .opening import open as opened
     found = opened(dataset)
-    section = as_section(found)
+    part = part_of(found, draw if isinstance(draw, str) else None, 0, options)
     if isinstance(draw, str):
-        if not section.nephoscope._is_flat(options) and (level := one_level(section, draw, 0, options)) is not None:
-            section = level
-        draw, options = section.nephoscope._of_field(draw, 0, options)
+        draw, options = part.nephoscope._of_field(draw, 0, options)
     if whole and "vertical_exaggeration" not in options:
-        options = {"vertical_exaggeration": section.nephoscope._exaggeration(options), **options}
+        options = {"vertical_exaggeration": part.nephoscope._exaggeration(options), **options}
     options = {"heights": heights, "owned": found is not dataset, **options}
-    series = DatasetSeries(section, **options)
+    series = DatasetSeries(part, **options)
+    if isinstance(draw, str) and (levels := _on_levels_of(draw, part, series.mesh, options)) is not None:
+        series.stop()
+        part, series = levels, DatasetSeries(levels, **options)
     if not whole:
         return series, draw
     on_earth = "GlobeGridProjection" in series.mesh.field_data
     if on_earth and axis_of_section(series.mesh):
         series.stop()
         from .flat_picture import shape_of_section
-        return SectionSeries(section, shape_of_section(plotter), **options), draw
+        return SectionSeries(part, shape_of_section(plotter), **options), draw
     if (form := form_of(series.mesh, draw, look)) is not None:
         series.stop()
-        return ReducedSeries(section, form, **options), draw
+        return ReducedSeries(part, form, **options), draw
     return series, draw
+
+
+def _on_levels_of(name: str, dataset: Any, grid: pyvista.DataSet, options: dict) -> Any:
+    """The dataset on the levels on which the field has values at the first step that has any, as `plot` draws it; None if these are all. `grid`: of the first step."""
+    found = filled(dataset, grid, name, None, options) if "GlobeGridProjection" in grid.field_data else None
+    if found is not None and found.time is not None:
+        found = filled(dataset, grid, name, found.time, options)
+    return None if found is None else found.dataset
 
 
 def _refuse(options: dict, heights: bool, reason: str) -> None:

@@ -4,12 +4,12 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import pyvista
 
-from .._pipeline import level_of_caller
+from .accessor import WeatherAccessor
 
 if TYPE_CHECKING:
     import xarray
@@ -18,6 +18,25 @@ if TYPE_CHECKING:
 
 SEARCHED = 50  # times
 BY_VALUES = ("pressure", "height", "depth")  # kinds of levels whose heights do not depend on the others
+
+
+class Part(NamedTuple):
+    """A part of a dataset in which a field has values, and its time."""
+    dataset: xarray.Dataset
+    time: Any
+
+
+def filled(dataset: xarray.Dataset, grid: pyvista.DataSet, name: str, time: Any, options: dict[str, Any]) -> Part | None:
+    """What to draw in place of the mesh `grid` of the dataset if the field has no values at the first time, or not on all levels; None if it has."""
+    if not is_sparse(grid, name):
+        return None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of which the mesh has told
+        reading = WeatherAccessor(dataset)._reading(time, options)
+    if time is None and (step := step_with_values(dataset, reading, name)) is not None:
+        return Part(dataset, step)
+    levels = on_own_levels(dataset, reading, name)
+    return None if levels is None else Part(levels, time)
 
 
 def is_sparse(grid: pyvista.DataSet, name: str) -> bool:
@@ -34,10 +53,7 @@ def step_with_values(dataset: xarray.Dataset, reading: Reading, name: str) -> in
     if dim is None or name not in dataset or dim not in dataset[name].dims or np.isfinite(reading.values(name)).any():
         return None
     steps = range(1, min(dataset.sizes[dim], SEARCHED))
-    step = next((step for step in steps if np.isfinite(np.asarray(dataset[name].isel({dim: step}), float)).any()), None)
-    if step is not None:
-        warnings.warn(f"{name!r} has no values at the first time: step {step} is drawn, the first at which it has.", UserWarning, stacklevel=level_of_caller())
-    return step
+    return next((step for step in steps if np.isfinite(np.asarray(dataset[name].isel({dim: step}), float)).any()), None)
 
 
 def on_own_levels(dataset: xarray.Dataset, reading: Reading, name: str) -> xarray.Dataset | None:

@@ -10,12 +10,22 @@ import numpy as np
 
 from .accessor import WeatherAccessor
 from .horizontal import is_latitude, is_longitude
+from .sections import as_section
 from .vertical import VerticalError
 
 if TYPE_CHECKING:
     import xarray
 
     from .reading import Reading
+
+
+def part_of(dataset: xarray.Dataset, name: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any], is_lit: bool = False) -> xarray.Dataset:
+    """What a picture of the field `name` shows of the dataset: a section, the field's level, or all of it. In the sun all clouds are drawn, whatever the field is."""
+    if WeatherAccessor(dataset)._is_flat(options):
+        return dataset
+    section = as_section(dataset)
+    level = None if is_lit or name is None else one_level(section, name, time, options)
+    return section if level is None else level
 
 
 def one_level(dataset: xarray.Dataset, name: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any]) -> xarray.Dataset | None:

@@ -11,15 +11,16 @@ import numpy as np
 import pyvista
 
 from .._medium import default_scalars
+from .._pipeline import level_of_caller
 from .accessor import FLAT, GLOBE, LOOK_OF_PLOT, WeatherAccessor
 from .exaggeration import USUAL, suited
-from .filled import is_sparse, on_own_levels, step_with_values
+from .filled import filled
 from .flat_picture import plotted_flat, plotted_section
 from .in_the_sun import missing_air, sun_of
 from .naming import refuse_unknown, title
-from .one_level import one_level
+from .one_level import part_of
 from .picture import plotted as plotted_globe
-from .sections import as_section, axis_of_section
+from .sections import axis_of_section
 from .view import Frame
 
 if TYPE_CHECKING:
@@ -57,12 +58,8 @@ def plotted(asked: Plot) -> pyvista.Plotter:
     """Draws the picture."""
     if asked.accessor._is_flat(asked.options):
         return _plotted_flat(asked)
-    if (section := as_section(asked.dataset)) is not asked.dataset:
-        return plotted(replace(asked, dataset=section))
     refuse_unknown("plot", asked.options, (*GLOBE, *OF_PICTURE, *LOOK_OF_PLOT))
-    if not asked.is_lit and (level := one_level(asked.dataset, asked.scalars, asked.time, asked.options)) is not None:
-        return plotted(replace(asked, dataset=level))
-    return _plotted_globe(asked)
+    return _plotted_globe(replace(asked, dataset=part_of(asked.dataset, asked.scalars, asked.time, asked.options, asked.is_lit)))
 
 
 def _suited(make: Callable[[float], pyvista.DataSet], usual: float, exaggeration: float | None) -> pyvista.DataSet:
@@ -76,8 +73,11 @@ def _plotted_globe(asked: Plot) -> pyvista.Plotter:
         reading = asked.accessor._reading(asked.time, asked.options)
         options = {**asked.options, "derive": list(dict.fromkeys([*_several(options.get("derive", ())), *missing_air(reading)]))}
     grid = _suited(lambda factor: asked.accessor.globe(time=asked.time, vertical_exaggeration=factor, **options), USUAL, asked.exaggeration)
-    if not asked.is_lit and (parts := _filled(asked, grid, found, options)) is not None:
-        return plotted(parts)
+    name = default_scalars(grid)[1] if found is None else found
+    if not asked.is_lit and (parts := filled(asked.dataset, grid, name, asked.time, options)) is not None:
+        if parts.time != asked.time:
+            warnings.warn(f"{name!r} has no values at the first time: step {parts.time} is drawn, the first at which it has.", UserWarning, stacklevel=level_of_caller())
+        return plotted(replace(asked, scalars=name, dataset=parts.dataset, time=parts.time))
     look = asked.look
     if asked.is_lit:
         if found in grid.point_data or found in grid.cell_data:
@@ -89,20 +89,6 @@ def _plotted_globe(asked: Plot) -> pyvista.Plotter:
 
 def _several(names: str | Sequence[str]) -> Sequence[str]:
     return [names] if isinstance(names, str) else names
-
-
-def _filled(asked: Plot, grid: pyvista.DataSet, found: str | None, options: dict[str, Any]) -> Plot | None:
-    """What to plot in place of `asked` where the field has no values at the first time, or not on all levels; None if it has."""
-    name = default_scalars(grid)[1] if found is None else found
-    if not is_sparse(grid, name):
-        return None
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of which the mesh has told
-        reading = asked.accessor._reading(asked.time, options)
-    if asked.time is None and (step := step_with_values(asked.dataset, reading, name)) is not None:
-        return replace(asked, scalars=name, time=step)
-    levels = on_own_levels(asked.dataset, reading, name)
-    return None if levels is None else replace(asked, scalars=name, dataset=levels)
 
 
 def _plotted_flat(asked: Plot) -> pyvista.Plotter:
