@@ -326,6 +326,35 @@ class Plots(unittest.TestCase):
                 self.assertIn("variable 'ta': ", text)
                 self.assertIn("units 'K'", text)
 
+    def test_names_that_are_no_strings(self):
+        """xarray allows tuples and numbers."""
+        data = forecast()
+        data = data.rename({"ta": ("t", 850), "cl": 5})
+        for name, shown in ((("t", 850), "t_850"), ("t_850", "t_850"), (5, "5")):
+            plotter, _ = self.plotted(data, name)
+            self.assertEqual(list(plotter.scalar_bars.keys()), [shown])
+        self.assertIn("temperature: 't_850'", data.nephoscope.describe())
+        self.assertIn("t_850", data.nephoscope.globe(variables=[("t", 850)]).point_data)
+        self.assertIn("t_850", data[("t", 850)].nephoscope.globe().point_data)
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        with nephoscope.animate(plotter, data, ("t", 850)) as series:
+            self.assertIn("t_850", series.mesh.array_names)
+
+    def test_rain_that_is_nowhere(self):
+        """It is transparent, with a warning; an opacity draws it. Precipitation is known by its short names."""
+        lon, lat = np.arange(0, 360, 20.0), np.arange(-80, 81, 20.0)
+        for name, attrs, high in (("pop", {"units": "%", "long_name": "Probability of precipitation"}, 1), ("tp", {"units": "m"}, 1), ("tcc", {"units": "1"}, 1)):
+            level = xr.Dataset({name: (("lat", "lon"), np.zeros((len(lat), len(lon))), attrs)}, {"lat": ("lat", lat, {"units": "degrees_north"}), "lon": ("lon", lon, {"units": "degrees_east"})})
+            with self.assertWarnsRegex(UserWarning, f"Nothing will be visible: the array '{name}' is 0 everywhere, where its colours are transparent"):
+                self.assertEqual(self.table(level, name).scalar_range, (0, high))
+            with warnings.catch_warnings():
+                warnings.simplefilter("error", UserWarning)
+                self.table(level, name, opacity=1.0)
+                self.table(level + 0.5, name)
+        level = level.rename(tcc="cape")
+        self.assertEqual(self.table(level + 20, "cape").scalar_range, (19.5, 20.5))
+
     def test_what_the_dataset_answers(self):
         for option in ({"height": "z"}, {"height_units": "m"}, {"level_units": "hPa"}):
             with self.subTest(option), self.assertRaisesRegex(TypeError, f"globe.. takes {next(iter(option))} from the variables"):

@@ -40,7 +40,8 @@ class WeatherAccessor:
 
     def __init__(self, dataset: xarray.Dataset) -> None:
         from .dates import with_dates
-        self._dataset = with_dates(dataset)
+        from .naming import with_words
+        self._dataset = with_dates(with_words(dataset))
 
     if not TYPE_CHECKING:  # for which there is nothing but the methods
         def __getattr__(self, name):
@@ -286,7 +287,9 @@ class WeatherAccessor:
         pyvista.Plotter
             The plotter, after it has been shown. After ``screenshot`` it can draw further pictures: set ``plotter.camera_position``, and call ``plotter.screenshot("other.png")``.
         """
+        from .naming import word
         from .plotting import Plot, plotted
+        scalars = None if scalars is None else word(scalars)
         from .view import Frame
         look = {name: value for name, value in {"opacity": opacity, "cmap": cmap, "clim": clim}.items() if value is not None}
         look |= {name: options.pop(name) for name in LOOK_OF_PLOT if name in options}

@@ -23,6 +23,7 @@ from .dataset_series import DatasetSeries
 from .filled import filled
 from .forms import form_of
 from .mesh_series import MeshSeries, is_meshes, mesh_series
+from .naming import word
 from .one_level import part_of
 from .reduced_series import ReducedSeries
 from .section_series import SectionSeries
@@ -87,6 +88,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         If there are no meshes, or the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
     """
     from .picture import darken, is_untouched
+    draw = draw if draw is None or callable(draw) else word(draw)
     whole = isinstance(draw, str) and is_untouched(plotter)
     look = _look(draw, options)
     series, draw = _series(plotter, dataset, draw, heights, options, whole, times, look)
@@ -132,7 +134,7 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
         return dataset, draw
     from .opening import open as opened
     found = opened(dataset)
-    part = part_of(found, draw if isinstance(draw, str) else None, 0, options)
+    part = part_of(found.nephoscope._dataset, draw if isinstance(draw, str) else None, 0, options)
     if isinstance(draw, str):
         draw, options = part.nephoscope._of_field(draw, 0, options)
     if whole and "vertical_exaggeration" not in options:

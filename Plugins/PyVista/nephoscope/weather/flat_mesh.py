@@ -15,7 +15,7 @@ from .flat import Axis, Flat, fields_of
 from .flat_air import AIR, air_roles, mark_air
 from .flat_derived import QUANTITIES, column_of, derived_flat
 from .look import note_look
-from .naming import UNITS
+from .naming import UNITS, word
 from .placing import note_units
 from .roles import ROLES, candidates
 from .times import listed_times
@@ -81,7 +81,7 @@ def _float(values: np.ndarray) -> np.ndarray:
 
 def _chosen(flat: Flat, variables: Sequence[str] | None) -> list[str]:
     there = [*flat.names(), *flat.profiles.values()]
-    wanted = there if variables is None else [variables] if isinstance(variables, str) else list(variables)
+    wanted = there if variables is None else [variables] if isinstance(variables, str) else list(map(word, variables))
     missing = [name for name in wanted if name not in there]
     if missing:
         raise ValueError(f"variables: {listed(missing)} not on the grid of {wanted[0]!r}. On it are: {listed(there)}. Make a grid of each.")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import warnings
 from typing import Any, Callable
 
 import numpy as np
@@ -12,6 +13,7 @@ import pyvista
 from .._fields import PRESET_ENDING, find_preset, is_bright, preset_of_field, presets
 from .._outliers import is_mostly_zero, share_outside, skewed_range, warn_of_fill_values
 from .._over_time import follows, values_over_time
+from .._pipeline import level_of_caller
 from .roles import ROLES, candidates
 from .units import knows, plain
 
@@ -70,7 +72,7 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
         preset = presets()[options.pop("cmap")]
     values = values_over_time(grid, name, association)
     bulk = skewed_range(values) if options.get("clim") is None and not options.get("log_scale") else None
-    over_time = (float(values.min()), float(values.max())) if follows(grid) and values.size and np.ptp(values) > 0 else None
+    over_time = _range_of(values, follows(grid))
     if preset is None or "cmap" in options:
         sheer = preset is None and options.get("clim") is None and not options.get("log_scale") and name + CODES not in grid.field_data and is_mostly_zero(values)
         clim = None if options.get("log_scale") else bulk or over_time
@@ -80,11 +82,30 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
     clim = options.get("clim") or preset.clim(values) or (None if preset.name in SHEER else bulk) or over_time
     colours = preset.colour_map(is_bright(plotter.background_color))
     if preset.name in SHEER:
+        if "opacity" not in options:
+            _warn_of_nothing(values, name, clim)
         options = {"opacity": "linear", **options}
         if preset.name == "smoke" and over_ground:  # its browns are those of deserts
             return {**({} if clim is None else {"clim": clim}), **options}
         colours = len(colours) * ["white"] if preset.name in WHITE and over_ground else colours
     return {"cmap": colours, **({} if clim is None else {"clim": clim}), **options}
+
+
+def _range_of(values: np.ndarray, moves: bool) -> tuple[float, float] | None:
+    """The range of values that are all equal, as in `add_cells`, or that are those of all times; None for others, of which PyVista finds it."""
+    finite = values[np.isfinite(values)]
+    if not finite.size or not moves and np.ptp(finite) > 0:
+        return None
+    low, high = float(finite.min()), float(finite.max())
+    return (low - 0.5, high + 0.5) if low == high else (low, high)
+
+
+def _warn_of_nothing(values: np.ndarray, name: str, clim: tuple[float, float] | None) -> None:
+    """Warns where a surface is transparent at all values."""
+    finite = values[np.isfinite(values)]
+    if clim is not None and finite.size and finite.max() <= clim[0]:
+        told = f"is {finite.max():g} everywhere" if np.ptp(finite) == 0 else f"is {finite.min():g} to {finite.max():g}"
+        warnings.warn(f"Nothing will be visible: the array {name!r} {told}, where its colours are transparent. Choose another time or clim, or opacity=1.", UserWarning, stacklevel=level_of_caller())
 
 
 def with_share(title: Callable[[str], str], grid: pyvista.DataSet, name: str, association: str, asked: dict[str, Any], look: dict[str, Any]) -> Callable[[str], str]:

@@ -18,6 +18,17 @@ LONGEST = 40  # letters of a title; longer names are descriptions
 UNITLESS = ("", "1", "-", "~", "none", "unknown", "(0 - 1)", "0-1", "fraction", "dimensionless")
 
 
+def word(name: Any) -> str:
+    """The name of an array for any name that xarray allows: ("t", 850) is "t_850"."""
+    return name if isinstance(name, str) else "_".join(map(str, name)) if isinstance(name, tuple) else str(name)
+
+
+def with_words(dataset: Any) -> Any:
+    """`dataset` with words for the names of its variables and dimensions that are none."""
+    names = {name: word(name) for name in {*dataset.variables, *dataset.dims} if not isinstance(name, str)}
+    return dataset.rename(names) if names else dataset
+
+
 def named(reading: Reading, name: str) -> tuple[str, dict[str, Any]]:
     """The array of the mesh with this name, and the options of `globe` that load it alone."""
     fields = [known for known, _ in reading.field_variables()]

@@ -16,6 +16,7 @@ from ..globe import GAPS_ARE_TOLD, IS_SEA, to_globe
 from .air import Air
 from .horizontal import GridError
 from .look import note_look
+from .naming import word
 from .reading import Reading
 from .sea import DEEPEST, is_below
 from .units import UnitsError, simple
@@ -153,7 +154,7 @@ def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
     places = {reading.roles.get(role) for role in ("altitude", "thickness", "geopotential_height", "geopotential", "pressure", "pressure_thickness")}
     there = sorted(reading.plain_variables(), key=lambda name: name in places)
     fields = [name for name, _ in reading.field_variables()]
-    wanted = there if variables is None else [variables] if isinstance(variables, str) else list(variables)
+    wanted = there if variables is None else [variables] if isinstance(variables, str) else list(map(word, variables))
     missing = [name for name in wanted if name not in fields]
     if missing:
         raise ValueError(f"variables: {listed(missing)} not on the grid. There are: {listed(fields)}.")
