@@ -7,7 +7,7 @@ import sys
 import tempfile
 
 from paraview import servermanager
-from paraview.simple import CreateRenderView, Delete, OpenDataFile, Render, Show, UpdatePipeline
+from paraview.simple import CloudOptics, CreateRenderView, Delete, OpenDataFile, Render, Show, UpdatePipeline
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 PYTHON = os.environ["NEPHOSCOPE_PYTHON"]
@@ -115,6 +115,19 @@ def known_to_the_dialog(path):
     Delete(reader)
 
 
+def computed(reader):
+    """Quantities that follow are read if they are chosen: the water of a cloud fraction, of which Cloud Optics makes clouds."""
+    known = reader.Variables.Available
+    assert {"potential_temperature", "cloud_content"} <= set(known) and "cloud_content" not in reader.Variables, known
+    reader.Variables = ["t", "cc", "cloud_content"]
+    optics = CloudOptics(Input=reader, TotalWaterArray="cloud_content")
+    optics.UpdatePipeline(0.0)
+    water, extinction = (optics.PointData[name].GetRange() for name in ("cloud_content", "Extinction"))
+    assert 0 < water[0] < water[1] < 0.5 * 0.21e-3 and 0 < extinction[0] < extinction[1], (water, extinction)
+    assert "potential_temperature" not in optics.PointData.keys()
+    Delete(optics)
+
+
 def main():
     if not os.path.exists(PYTHON) or subprocess.run(
             [PYTHON, "-c", "import importlib.util as u, sys; sys.exit(None in map(u.find_spec, ('pyvista', 'xarray', 'eccodes')))"]).returncode:
@@ -136,6 +149,7 @@ def main():
         reader.Variables = ["gh"]
         UpdatePipeline(time=0.0, proxy=reader)
         assert reader.GetDataInformation().GetNumberOfPoints() == 37 * 19 * 2 and "t" not in reader.PointData.keys()
+        computed(reader)
         usual, window = vtkOutputWindow.GetInstance(), vtkStringOutputWindow()
         vtkOutputWindow.SetInstance(window)
         try:

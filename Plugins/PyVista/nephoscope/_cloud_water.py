@@ -27,6 +27,17 @@ def is_fraction(mesh: pyvista.DataSet, name: str) -> bool:
     return preset is not None and preset.name == "clouds"
 
 
+def usual_water(fraction: np.ndarray, heights: np.ndarray) -> np.ndarray:
+    """kg/m3, of clouds at heights above the level of the sea (m)."""
+    return np.clip(fraction, 0, 1) * CONTENT * np.exp(-np.clip(heights, 0, None) / SCALE_HEIGHT)
+
+
+def words_for(name: str) -> str:
+    """What is assumed, where `name` is a cloud fraction."""
+    return (f"There is no cloud water, but a cloud fraction, {name!r}: clouds have the water that is usual at their height, {1000 * CONTENT:g} g/m3 at sea level and less by a factor e every "
+            f"{SCALE_HEIGHT / 1000:.1f} km (Hack 1998), times the fraction. If the data have cloud water, name it.")
+
+
 def optics_of_fraction(mesh: pyvista.DataSet, options: dict[str, Any], make: Callable[..., pyvista.DataSet]) -> pyvista.DataSet | None:
     """What `make` returns for the mesh with water in the place of its cloud fraction; None if it has no fraction, or no heights in metres. `options`: those of `cloud_optics`."""
     found = _fraction(mesh, options["cloud_fraction"])
@@ -39,7 +50,7 @@ def optics_of_fraction(mesh: pyvista.DataSet, options: dict[str, Any], make: Cal
     fraction = np.clip(_as_fraction(mesh, name, data), 0, 1)
     mesh = mesh.copy(deep=False)
     data = mesh.point_data if name in mesh.point_data else mesh.cell_data
-    data[FRACTION], data[WATER] = fraction, fraction * CONTENT * np.exp(-np.clip(heights, 0, None) / SCALE_HEIGHT)
+    data[FRACTION], data[WATER] = fraction, usual_water(fraction, heights)
     given = {**options, "water": WATER, "cloud_fraction": FRACTION, "units": "kg/m3"}
     try:
         result = make(mesh, **given)
@@ -52,8 +63,7 @@ def optics_of_fraction(mesh: pyvista.DataSet, options: dict[str, Any], make: Cal
         for data in (result.point_data, result.cell_data):
             if array in data:
                 del data[array]
-    warnings.warn(f"There is no cloud water, but a cloud fraction, {name!r}: clouds have the water that is usual at their height, {1000 * CONTENT:g} g/m3 at sea level and less by a factor e every "
-                  f"{SCALE_HEIGHT / 1000:.1f} km (Hack 1998), times the fraction. If the data have cloud water, name it.", UserWarning, stacklevel=level_of_caller())
+    warnings.warn(words_for(name), UserWarning, stacklevel=level_of_caller())
     return result
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from .._cloud_water import usual_water, words_for
 from . import quantities
 from .air import Air
 from .circulation import vorticity_of
@@ -90,7 +91,11 @@ def vorticity(reading: Reading, air: Air) -> np.ndarray:
 
 
 def cloud_content(reading: Reading, air: Air) -> np.ndarray:
-    """kg/m3: the sum of the available cloud water, ice, rain, snow and graupel."""
+    """kg/m3: the sum of the available cloud water, ice, rain, snow and graupel; without any of these, what is usual in clouds of the model's cloud fraction (Hack 1998)."""
+    if not any(reading.has(role) for role in WATER) and reading.has("cloud_fraction"):
+        reading.refuse_unusable(*WATER)
+        reading.warn(words_for(reading.roles["cloud_fraction"]))
+        return usual_water(reading.role("cloud_fraction"), air.heights)
     return water_fraction("cloud_content", reading, air) * density_of(air, "cloud_content")
 
 
@@ -132,7 +137,7 @@ def computable(reading: Reading) -> list[str]:
     temperature, humidity = has("temperature", "potential_temperature"), has("specific_humidity", "mixing_ratio", "relative_humidity")
     horizontal = reading.has_winds()
     there = {"temperature": has("potential_temperature") and not has("temperature"), "relative_humidity": has("relative_humidity") or temperature and humidity, "potential_temperature": temperature, "equivalent_potential_temperature": temperature and humidity,
-             "wind_speed": horizontal, "vorticity": horizontal and not reading.horizontal.is_list, "cloud_content": temperature and has(*WATER), "water_vapour": temperature and humidity,
+             "wind_speed": horizontal, "vorticity": horizontal and not reading.horizontal.is_list, "cloud_content": temperature and has(*WATER) or has("cloud_fraction"), "water_vapour": temperature and humidity,
              "cloud_fraction": has("cloud_fraction", "relative_humidity") or temperature and humidity}
     return [name for name in QUANTITIES if there[name]]
 

@@ -176,11 +176,11 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
             if problem := missing_packages(interpreter(), file):
                 raise RuntimeError(problem)
         found = self._ask(do="open", path=path, mesh=self._settings["mesh"], grid=None if grid < 0 else grid)
-        for name in {self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())} - {*found["variables"]}:  # of an earlier file
+        for name in {self._selection.GetArrayName(i) for i in range(self._selection.GetNumberOfArrays())} - {*found["variables"], *found["computed"]}:  # of an earlier file
             self._selection.RemoveArrayByName(name)
-        for name in found["variables"]:
+        for name in (*found["variables"], *found["computed"]):
             if not self._selection.ArrayExists(name):
-                self._selection.AddArray(name)
+                self._selection.AddArray(name, name in found["variables"])  # what is computed only if it is asked for
         self._times, self._last_level, self._is_open = found["times"] or None, found["levels"] - 1, True
 
     def _mesh(self, step):

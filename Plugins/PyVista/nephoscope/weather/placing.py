@@ -16,7 +16,7 @@ from ..globe import GAPS_ARE_TOLD, IS_SEA, to_globe
 from .air import Air
 from .horizontal import GridError
 from .look import note_look
-from .naming import word
+from .naming import UNITS, word
 from .reading import Reading
 from .sea import DEEPEST, is_below
 from .units import UnitsError, simple
@@ -44,6 +44,7 @@ def place(reading: Reading, air: Air, variables: Sequence[str] | None, extra: di
         note_look(mesh, reading.dataset, name)
     for name, values in extra.items():
         add(mesh, name, values, order)
+        note_units(mesh, name, UNITS.get(name))
         note_look(mesh, reading.dataset, name)
     if _is_section_over_ground(mesh, reading, air):
         add(mesh, GROUND, np.broadcast_to(air.terrain, air.shape), order)

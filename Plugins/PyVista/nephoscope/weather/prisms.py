@@ -13,6 +13,7 @@ from .._fields import choose_active_scalars
 from ..globe import EARTH_RADIUS
 from .air import Air
 from .look import note_look
+from .naming import UNITS
 from .placing import NEAR, chosen, note_units, order_of
 from .polygons import Polygons, find_polygons, vectors
 from .reading import Reading
@@ -152,7 +153,7 @@ def _add_fields(grid, data, reading: Reading, air: Air, names, extra, order, spr
     for name, values in fields.items():
         values = values[order] if values.ndim == 2 else values[None]
         data[name] = spread(values).astype(np.float32).ravel()
-        note_units(grid, name, reading.dataset[name].attrs.get("units") if name in reading.dataset else None)
+        note_units(grid, name, reading.dataset[name].attrs.get("units") if name in reading.dataset else UNITS.get(name))
         note_look(grid, reading.dataset, name)
     if reading.has("land"):
         data["Land"] = np.tile(spread(reading.role("land")), len(order)).astype(np.float32)

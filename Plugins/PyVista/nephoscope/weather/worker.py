@@ -25,12 +25,13 @@ def in_paraview(text: str, path: str) -> str:
 class Worker:
     def __init__(self) -> None:
         self._dataset = self._level = None
-        self.path = ""
+        self.path, self._computed = "", []
 
     def open(self, path: str, mesh: str | None, grid: int | None) -> dict:
         import numpy as np
 
         import nephoscope
+        from nephoscope.weather.derived import computable
         from nephoscope.weather.reading import Reading
         from nephoscope.weather.times import seconds_of, when
         self.path = path
@@ -44,14 +45,17 @@ class Worker:
             seconds = None if dates is None else seconds_of(dates)
             times = list(map(float, np.arange(self._dataset.sizes[dim]) if seconds is None else seconds / 3600))
         levels = self._dataset.sizes[self._level] if self._level else 1
-        return {"times": times, "variables": reading.plain_variables(), "levels": levels}
+        variables = reading.plain_variables()
+        self._computed = [name for name in computable(reading) if name not in variables and name not in reading.roles]
+        return {"times": times, "variables": variables, "computed": self._computed, "levels": levels}
 
     def mesh(self, file: str, step: int | None, levels: list[int], variables: list[str], options: dict) -> dict:
         from nephoscope._blocks import cell_dimension, outer_surface
         dataset = self._dataset
         if self._level and (levels[0] > 0 or levels[1] < dataset.sizes[self._level] - 1):
             dataset = dataset.isel({self._level: slice(max(0, levels[0]), levels[1] + 1)})
-        grid = dataset.nephoscope.globe(variables=variables, **({} if step is None else {"time": step}), **options)
+        derive = [name for name in variables if name in self._computed]
+        grid = dataset.nephoscope.globe(variables=[name for name in variables if name not in derive], derive=derive, **({} if step is None else {"time": step}), **options)
         if cell_dimension(grid) < 3 and grid.GetClassName() == "vtkUnstructuredGrid":
             grid = outer_surface(grid)  # so that ParaView draws it as a surface
         grid.save(file)
