@@ -296,5 +296,36 @@ class Forms(unittest.TestCase):
             self.assertEqual(nephoscope.open(path, group="/B").cloud.shape, (8, 8))
 
 
+class Words(unittest.TestCase):
+    """What other programs write in words."""
+
+    def test_units_of_axes(self):
+        for north, east in (("degrees north", "degrees east"), ("Degree_North", "Degree_East"), ("deg N", "deg E"), ("\u00b0N", "\u00b0E"), ("degreesN", "degreesE")):
+            data = xr.Dataset({"a": (("y", "x"), np.ones((5, 6)))}, {"y": ("y", np.arange(5.0), {"units": north}), "x": ("x", np.arange(6.0), {"units": east})})
+            self.assertIn("longitude 0 to 5 (x), latitude 0 to 4 (y)", data.nephoscope.describe())
+
+    def test_a_dimension_without_a_coordinate_along_which_heights_increase(self):
+        heights = np.arange(4.0)[:, None, None] * 1000 + np.arange(6.0)
+        axes = {"lat": ("lat", np.arange(5.0), {"units": "degrees_north"}), "lon": ("lon", np.arange(6.0), {"units": "degrees_east"})}
+        for name, values, attrs in (("height", heights + np.zeros((4, 5, 6)), {"standard_name": "altitude", "units": "m"}), ("p", 1e5 - 20 * heights + np.zeros((4, 5, 6)), {"standard_name": "air_pressure", "units": "Pa"})):
+            data = xr.Dataset({"q": (("k", "lat", "lon"), np.ones((4, 5, 6))), name: (("k", "lat", "lon"), values, attrs)}, axes)
+            self.assertEqual(data.nephoscope.globe().dimensions, (6, 5, 4))
+            self.assertIn(f"note: 'k' is vertical: '{name}' {'in' if name == 'height' else 'de'}creases along it", data.nephoscope.describe())
+        data[name] = data[name] * 0 + np.array([9e4, 5e4, 9e4, 5e4])[:, None, None]  # which is no axis
+        with self.assertRaisesRegex(ValueError, "No vertical axis was found"):
+            data.nephoscope.globe()
+
+    def test_temperatures_in_celsius_without_units(self):
+        data = isothermal(LON, LAT)
+        data["ta"] = (data.ta - 273.15).assign_attrs(standard_name="air_temperature")
+        with self.assertRaisesRegex(ValueError, r"no temperature in K. Set them: ds\['ta'\].attrs\['units'\] = 'degC'"):
+            data.nephoscope.globe()
+
+    def test_powers_in_titles(self):
+        from nephoscope.weather.units import usual
+        for units, written in (("kg kg**-1", "kg kg-1"), ("W m^-2", "W m-2"), ("m s**-1", "m s-1"), ("10**-6 m2", "10**-6 m2")):
+            self.assertEqual(usual(units), written)
+
+
 if __name__ == "__main__":
     unittest.main()

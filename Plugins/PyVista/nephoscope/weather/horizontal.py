@@ -16,9 +16,9 @@ from .gaps import told as told_gaps, with_gaps
 from .gaussian import Rows, find_rows
 from .projections import Projection, find_lost_projection, find_projection, mapping_of, row_angles, vectors
 
-# Spellings of CF 1.11, sections 4.1 and 4.2, in lower case.
-_EAST = ("degrees_east", "degree_east", "degree_e", "degrees_e", "degreee", "degreese")
-_NORTH = ("degrees_north", "degree_north", "degree_n", "degrees_n", "degreen", "degreesn")
+# Spellings of CF 1.11, sections 4.1 and 4.2, in lower case, also as words.
+_EAST = re.compile(r"(deg(ree)?s?|°)[\s_]*e(ast)?")
+_NORTH = re.compile(r"(deg(ree)?s?|°)[\s_]*n(orth)?")
 _LON = ("lon", "longitude", "lons", "long", "xlong", "nav_lon", "glon", "clon", "loncell", "lon_rho", "geolon", "geolon_t", "tlong", "mesh2d_face_x", "xlong_m", "lon2d", "grid_center_lon")
 _LAT = ("lat", "latitude", "lats", "xlat", "nav_lat", "glat", "clat", "latcell", "lat_rho", "geolat", "geolat_t", "tlat", "mesh2d_face_y", "xlat_m", "lat2d", "grid_center_lat")
 _NUMBERED = re.compile(r"(g\d+_|grid)(lon|lat)(_\d+)?")  # of NCL
@@ -91,14 +91,14 @@ def is_latitude(name: str, variable) -> bool:
     return _is_axis(name, variable, "latitude", _NORTH, _LAT)
 
 
-def _is_axis(name: str, variable, standard: str, units: tuple[str, ...], names: tuple[str, ...]) -> bool:
+def _is_axis(name: str, variable, standard: str, units: re.Pattern, names: tuple[str, ...]) -> bool:
     if not np.issubdtype(variable.dtype, np.number):
         return False
     stated = str(variable.attrs.get("standard_name", ""))
     if stated:
         return stated == standard
     numbered = _NUMBERED.fullmatch(name.lower())
-    return str(variable.attrs.get("units", "")).lower() in units or name.lower() in names or bool(numbered and numbered[2] == standard[:3])
+    return units.fullmatch(str(variable.attrs.get("units", "")).strip().lower()) is not None or name.lower() in names or bool(numbered and numbered[2] == standard[:3])
 
 
 def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:

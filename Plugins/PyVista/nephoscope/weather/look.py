@@ -37,7 +37,7 @@ def note_look(mesh: pyvista.DataSet, dataset, name: str) -> None:
     """Writes into `mesh` which preset suits its array `name`, if the name alone does not tell, and whether its values are codes, as CF's ``flag_values`` say."""
     if name in dataset.variables and "flag_values" in dataset[name].attrs:
         mesh.field_data[name + CODES] = [1]
-    if name in dataset.variables and any(candidates(ROLES[role], [(name, dataset[name])]) for role in _IN_LEVELS):
+    if name in dataset.variables and (dataset[name].attrs.get("standard_name") == "air_density" or any(candidates(ROLES[role], [(name, dataset[name])]) for role in _IN_LEVELS)):
         mesh.field_data[name + STRATIFIED] = [1]
     found = suited(dataset, name)
     if found and preset_of_field(name, mesh) is None:

@@ -105,11 +105,26 @@ class Reading:
                 self.dataset, self.vertical = self.dataset.isel({self.vertical.dim: 0}), None
         elif len(lengths := find_lengths(self.dataset, [str(dim) for dim in dims if not self._is_horizontal(dim)])) == 1:
             self.vertical = find_vertical(self.dataset, lengths, lengths[0])
+        elif (dim := self._dim_of_heights(list(map(str, dims)))) is not None:
+            self.vertical = find_vertical(self.dataset, [dim], dim)
         elif any(variable.ndim > 2 and not all(map(self._is_horizontal, variable.dims)) for _, variable in self._numbers()):
             raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
                                 "levels, units of pressure or length, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one index along the "
                                 "dimension that is not vertical: "
                                 f"ds.isel({self._unplaced(dims)}=0). If the axes are lengths, the data are flat: ds.nephoscope.grid(x='...', y='...', z='...').")
+
+    def _dim_of_heights(self, dims: list[str]) -> str | None:
+        """The dimension along which heights or pressures of every point increase, or decrease; None without such a variable."""
+        for role in ("altitude", "geopotential_height", "pressure"):
+            for name in candidates(ROLES[role], ((str(name), variable) for name, variable in self.dataset.variables.items() if variable.ndim > 1 and variable.dtype.kind in "fiu")):
+                others = [dim for dim in self.dataset[name].dims if dim in dims and not self._is_horizontal(dim)]
+                if len(others) == 1 and self.dataset.sizes[others[0]] > 1:
+                    steps = np.diff(np.asarray(self.dataset[name].values, float), axis=self.dataset[name].get_axis_num(others[0]))
+                    steps = steps[np.isfinite(steps)]
+                    if steps.size and ((steps > 0).all() or (steps < 0).all()):
+                        self.note(f"{others[0]!r} is vertical: {name!r} {'increases' if steps[0] > 0 else 'decreases'} along it")
+                        return others[0]
+        return None
 
     def _unplaced(self, dims) -> str:
         return next((str(dim) for dim in dims if not self._is_horizontal(dim)), "level")

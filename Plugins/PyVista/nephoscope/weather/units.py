@@ -74,9 +74,9 @@ _SPELLINGS = {"m": {"m", "meter", "meters", "metre", "metres"}, "m s-1": {text f
 
 
 def usual(units: str) -> str:
-    """The units in one spelling, "m s-1" for "m/s" and "meter second-1"; those that have no other spelling here as they are."""
+    """The units in one spelling, "m s-1" for "m/s" and "meter second-1", "kg kg-1" for "kg kg**-1"; others as they are."""
     text = plain(units)
-    return next((written for written, spellings in _SPELLINGS.items() if text in spellings), units)
+    return next((written for written, spellings in _SPELLINGS.items() if text in spellings), re.sub(r"(?<=[A-Za-z])(\*\*|\^)(?=-?\d)", "", units))
 
 
 def knows(units: object, quantity: str) -> bool:
@@ -136,4 +136,4 @@ def _require_plausible(values: np.ndarray, quantity: str, name: str) -> None:
     least, most = _PLAUSIBLE[quantity]
     if finite.size and not (least <= finite.min() and finite.max() <= most):
         raise UnitsError(f"{name!r} has no units, and its values, {finite.min():g} to {finite.max():g}, are no {quantity} in {UNITS[quantity][0]}. "
-                         f"Set them: ds[{name!r}].attrs['units'] = '...'.")
+                         f"Set them: ds[{name!r}].attrs['units'] = {'degC' if quantity == 'temperature' and -120 <= finite.min() and finite.max() <= 70 else '...'!r}.")
