@@ -84,6 +84,23 @@ class Departures(unittest.TestCase):
         self.assertLess(np.abs(mesh["p"]).max(), 2)
         self.assertIn("minus level mean", self.title(plotter))
 
+    def test_sections(self):
+        """Along a latitude without the mean of it, along a longitude without that of each level; in films too."""
+        dataset, _ = heights(np.arange(0, 360, 10.0), np.arange(90, -91, -5.0))
+        for section, words in ((dataset.sel(lat=40), "minus zonal mean"), (dataset.sel(lon=40), "minus level mean")):
+            with tempfile.TemporaryDirectory() as folder:
+                plotter = section.nephoscope.plot("gh", screenshot=str(Path(folder, "a.png")), window_size=(200, 200))
+            self.addCleanup(plotter.close)
+            self.assertIn(words, self.title(plotter))
+            low, high = next(iter(plotter.scalar_bars.values())).GetLookupTable().GetRange()
+            self.assertAlmostEqual(-low, high)
+            self.assertLess(high, 1000)
+            film = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+            self.addCleanup(film.close)
+            with nephoscope.animate(film, xr.concat([section, section], "time").assign_coords(time=np.array(["2020-01-01", "2020-01-02"], "M8[ns]")), "gh") as series:
+                self.assertIn(words, self.title(film))
+                self.assertAlmostEqual(np.abs(series.range("gh")).max(), high, delta=1)
+
     def test_where_the_values_are_asked_for(self):
         dataset, _ = heights(np.arange(0, 360, 10.0), np.arange(90, -91, -5.0))
         for options in ({"opacity": "linear"}, {"contours": 3}, {"clim": (0, 12000)}, {"cmap": "viridis"}):

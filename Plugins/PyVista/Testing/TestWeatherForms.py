@@ -321,6 +321,17 @@ class Words(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"no temperature in K. Set them: ds\['ta'\].attrs\['units'\] = 'degC'"):
             data.nephoscope.globe()
 
+    def test_winds_at_10_metres(self):
+        """They are the winds of a dataset that has no others."""
+        ones = xr.ones_like(isothermal(LON, LAT).ta.isel(plev=0, drop=True)).assign_attrs(units="m s**-1", standard_name="")
+        level = xr.Dataset({"u10": 3 * ones.assign_attrs(units="m s**-1"), "v10": 4 * ones})
+        for name in level:
+            level[name].attrs = {"units": "m s**-1"}
+        np.testing.assert_allclose(np.asarray(level.nephoscope.globe(derive="wind_speed")["wind_speed"]), 5, rtol=1e-6)
+        air = isothermal(LON, LAT)
+        both = air.assign(u10=level.u10, v10=level.v10, ua=(air.ta * 0 + 6).assign_attrs(units="m/s"), va=(air.ta * 0 + 8).assign_attrs(units="m/s"))
+        np.testing.assert_allclose(np.asarray(both.nephoscope.globe(derive="wind_speed")["wind_speed"]), 10, rtol=1e-6)
+
     def test_powers_in_titles(self):
         from nephoscope.weather.units import usual
         for units, written in (("kg kg**-1", "kg kg-1"), ("W m^-2", "W m-2"), ("m s**-1", "m s-1"), ("10**-6 m2", "10**-6 m2")):

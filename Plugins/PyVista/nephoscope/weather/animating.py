@@ -27,7 +27,7 @@ from .naming import word
 from .one_level import part_of
 from .reduced_series import ReducedSeries
 from .section_series import SectionSeries
-from .sections import axis_of_section
+from .sections import is_section
 from .series import Series
 
 LABEL = "nephoscope_time"  # name of the actor
@@ -146,12 +146,12 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
         part, series = levels, DatasetSeries(levels, **options)
     if not whole:
         return series, draw
-    on_earth = "GlobeGridProjection" in series.mesh.field_data
-    if on_earth and axis_of_section(series.mesh):
+    form = form_of(series.mesh, draw, look)
+    if is_section(series.mesh):
         series.stop()
         from .flat_picture import shape_of_section
-        return SectionSeries(part, shape_of_section(plotter), **options), draw
-    if (form := form_of(series.mesh, draw, look)) is not None:
+        return SectionSeries(part, form, shape_of_section(plotter), **options), draw
+    if form is not None:
         series.stop()
         return ReducedSeries(part, form, **options), draw
     return series, draw

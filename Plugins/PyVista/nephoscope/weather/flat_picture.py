@@ -40,6 +40,9 @@ def plotted_flat(grid: pyvista.DataSet, scalars: str | None, frame: Frame, optio
 def plotted_section(grid: pyvista.StructuredGrid, scalars: str | None, frame: Frame, options: dict, title: Callable[[str], str]) -> pyvista.Plotter:
     """A section of the globe, by latitude, longitude or distance and height."""
     plotter = frame.begin()
+    name = default_scalars(grid)[1] if scalars is None else scalars
+    if (form := form_of(grid, name, options)) is not None:
+        grid, scalars = form(grid), name
     draw_section(plotter, *unrolled(grid, shape_of_section(plotter)), scalars, options, title)
     if frame.view is not None:
         set_view(plotter, frame.view)
@@ -57,6 +60,7 @@ def draw_section(plotter: pyvista.BasePlotter, sheet: pyvista.StructuredGrid, sc
     name = default_scalars(sheet)[1] if scalars is None else scalars
     for part in ground_of(sheet):
         plotter.add_mesh(part, color=LAND, lighting=False, reset_camera=False)
+    title = told_form(title, sheet)
     title = _draw_section(plotter, sheet, name, {"scalar_bar_args": BESIDE, **options}, "y", scales, title)
     finish_bars(plotter, title, options.get("clim"))
     make_room(plotter, as_high=False)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a first picture shows in the place of a volume in which nothing would be seen: a level, the faces of its grid, or departures from a mean."""
+"""What a first picture shows in the place of a volume or a section in which nothing would be seen: a level, the faces of its grid, or departures from a mean."""
 from __future__ import annotations
 
 from typing import Any, Callable
@@ -15,6 +15,7 @@ from .look import STRATIFIED
 from .lowest import lowest_level
 from .prisms import LEVEL_SIZE
 from .sea import is_sea
+from .sections import is_section
 
 FORM = "NephoscopeForm"  # field array that tells the form, for the scalar bar
 FILLING = ("temperature",)  # presets of fields that fill all of the air
@@ -23,14 +24,15 @@ VOLUME = ("contours", "layers", "sun", "exposure", "tone_mapping", "opacity_scal
 
 def form_of(grid: pyvista.DataSet, name: str, options: dict[str, Any]) -> Callable[[pyvista.DataSet], pyvista.DataSet] | None:
     """What makes the form of the mesh that suits the array `name`; None if that is the mesh itself, or if one of the `options` asks for a volume."""
-    if any(option in options for option in ("opacity", *VOLUME)) or cell_dimension(grid) < 3:
+    section = is_section(grid)
+    if any(option in options for option in ("opacity", *VOLUME)) or cell_dimension(grid) < 3 and not section:
         return None
     on_earth = "GlobeGridProjection" in grid.field_data
     has_levels = name in grid.point_data if hasattr(grid, "dimensions") else LEVEL_SIZE in grid.field_data
     if not has_levels or on_earth and is_sea(grid):
         return None
     preset = preset_of_field(name, grid)
-    if preset is not None and preset.name in FILLING:
+    if preset is not None and preset.name in FILLING and not section:
         return lambda mesh: _told(*(lowest_level if on_earth else outer_faces)(mesh, name))
     if name + STRATIFIED in grid.field_data and not {"clim", "cmap", "log_scale", "preset"} & set(options):
         return lambda mesh: _told(*departures(mesh, name))

@@ -20,7 +20,7 @@ from .in_the_sun import missing_air, sun_of
 from .naming import refuse_unknown, title
 from .one_level import part_of
 from .picture import plotted as plotted_globe
-from .sections import axis_of_section
+from .sections import is_section
 from .view import Frame
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ def _plotted_globe(asked: Plot) -> pyvista.Plotter:
         if found in grid.point_data or found in grid.cell_data:
             grid.set_active_scalars(found)  # what the camera looks at
         look, found = {**look, "sun": sun_of(look["sun"], reading, grid)}, None
-    draw = plotted_section if axis_of_section(grid) else plotted_globe
+    draw = plotted_section if is_section(grid) else plotted_globe
     return draw(grid, found, asked.frame, look, asked.title(grid))
 
 

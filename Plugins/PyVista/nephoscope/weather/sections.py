@@ -42,6 +42,11 @@ def axis_of_section(grid: pyvista.DataSet) -> str | None:
     return "latitude" if longitudes == 1 else "longitude"
 
 
+def is_section(grid: pyvista.DataSet) -> bool:
+    """Whether this is a section of the globe, or a mean of it."""
+    return "GlobeGridProjection" in grid.field_data and axis_of_section(grid) is not None
+
+
 def unrolled(grid: pyvista.StructuredGrid, shape: float, scales: Scales | None = None) -> tuple[pyvista.StructuredGrid, Scales]:
     """The section of a globe or a map in the plane y = 0, and the title and the length in the scene of one unit of x and z. `shape`: its height over its width there, unless
     `scales`, which this function has returned for another time, tell the unit and the length of heights."""
