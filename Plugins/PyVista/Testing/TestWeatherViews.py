@@ -106,6 +106,17 @@ class Views(unittest.TestCase):
                     earth = next(actor for actor in plotter.renderer.actors.values() if getattr(actor, "texture", None) is not None)
                     self.assertIn("Shade", earth.mapper.dataset.array_names)
 
+    def test_films_of_rain_that_begins_later(self):
+        """The camera looks at where it will rain, not at the empty first step."""
+        blob = weather("tp", units="m").isel(level=0, drop=True)
+        times = np.array(["2020-06-21T06", "2020-06-21T12", "2020-06-21T18"], "M8[ns]")
+        data = xr.concat([blob * amount for amount in (0, 0.5, 1)], "time").assign_coords(time=times)
+        data["tp"].attrs["units"] = "m"
+        plotter = pyvista.Plotter(off_screen=True, window_size=(120, 120))
+        self.addCleanup(plotter.close)
+        nephoscope.animate(plotter, data, "tp").close()
+        np.testing.assert_allclose(self.place(plotter), (100, 30), atol=3)
+
     def test_points_that_repeat_at_regular_distances(self):
         """The middle is that of all of them: every eighth of these is in the north."""
         rng = np.random.default_rng(0)

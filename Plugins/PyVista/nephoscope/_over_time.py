@@ -47,7 +47,7 @@ def lengths_of_vectors(grid: pyvista.DataSet, name: str) -> np.ndarray:
     return lengths[lengths > 0]
 
 
-def fastest(grid: pyvista.DataSet, name: str) -> pyvista.DataSet:
-    """The grid; for the mesh of a series, the grid of the step whose vectors have the greatest mean length."""
+def greatest(grid: pyvista.DataSet, name: str) -> pyvista.DataSet:
+    """The grid; for the mesh of a series, the grid of the step whose values, or lengths of vectors, have the greatest mean."""
     series = _series.get(grid.memory_address)
     return grid if series is None else series.greatest(name, np.mean)
