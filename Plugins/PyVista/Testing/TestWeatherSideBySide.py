@@ -69,6 +69,19 @@ class SideBySide(unittest.TestCase):
                     for j in range(i):
                         self.assertTrue((boxes[i, 2:] <= boxes[j, :2]).any() or (boxes[j, 2:] <= boxes[i, :2]).any(), boxes)
 
+    def test_a_bar_of_the_user(self):
+        """It keeps its title and, where none of the new ones is in its way, its place."""
+        for options, args, moves in (({}, {}, False), ({"projection": "map"}, {}, True), ({}, {"vertical": True, "position_x": 0.05}, False), ({}, {"vertical": True, "position_x": 0.86, "position_y": 0.3}, True)):
+            plotter = self.plotter((1, 1))
+            globe = nephoscope.globe_surface()
+            globe["lat"] = globe.points[:, 2] * 1.0
+            plotter.add_mesh(globe, scalars="lat", scalar_bar_args={"fmt": "%.2g", **args})
+            place = plotter.scalar_bars["lat"].GetPosition()
+            field(240, 300, 0).nephoscope.plot("ta", plotter=plotter, **options)
+            self.assertEqual(plotter.scalar_bars["lat"].GetTitle(), "lat")
+            self.assertEqual(plotter.scalar_bars["lat"].GetLabelFormat(), "%.2g")
+            self.assertEqual(plotter.scalar_bars["lat"].GetPosition() != place, moves)
+
 
 if __name__ == "__main__":
     unittest.main()

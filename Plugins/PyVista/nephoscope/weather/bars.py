@@ -42,10 +42,16 @@ def label_format(low: float, high: float, count: int) -> str:
 _finished: WeakKeyDictionary[vtkScalarBarActor, str | None] = WeakKeyDictionary()  # what a bar tells; None if its range was asked for
 
 
-def finish_bars(plotter: pyvista.BasePlotter, title: Callable[[str], str], clim: Any = None) -> None:
-    """Titles, labels and places of the new scalar bars of a sub-plot; upright ones may take room from the picture beside them. `title`: of the name of an array. `clim`: the range that was asked for."""
+def bars_in(plotter: pyvista.BasePlotter) -> list[vtkScalarBarActor]:
+    """Those of the active sub-plot."""
+    return [bar for bar in plotter.scalar_bars.values() if plotter.renderer.HasViewProp(bar)]
+
+
+def finish_bars(plotter: pyvista.BasePlotter, before: list[vtkScalarBarActor], title: Callable[[str], str], clim: Any = None) -> None:
+    """Titles, labels and places of the scalar bars of a sub-plot that were not there `before`; upright ones may take room from the picture beside them. `title`: of the name of an array. `clim`: the range
+    that was asked for."""
     for key, bar in plotter.scalar_bars.items():
-        if bar in _finished or not plotter.renderer.HasViewProp(bar):
+        if bar in before or not plotter.renderer.HasViewProp(bar):
             continue
         text = title(title_in(key))
         set_title(bar, text)
@@ -53,9 +59,9 @@ def finish_bars(plotter: pyvista.BasePlotter, title: Callable[[str], str], clim:
         if clim is None:
             _share_range(plotter, key, bar, text)
         _finished[bar] = text if clim is None else None
-    bars = [bar for bar in plotter.scalar_bars.values() if bar in _finished and plotter.renderer.HasViewProp(bar)]
+    ours = [bar for bar in bars_in(plotter) if bar in _finished]
     for upright in (0, 1):
-        alike = [bar for bar in bars if bar.GetOrientation() == upright]
+        alike = [bar for bar in bars_in(plotter) if bar.GetOrientation() == upright and (bar in ours or any(_overlap(bar, other) for other in ours))]
         if len(alike) > 1:
             _place_side_by_side(alike, upright)
         for bar in alike:
@@ -81,6 +87,11 @@ def _share_range(plotter: pyvista.BasePlotter, key: str, bar: vtkScalarBarActor,
 def _are_alike(*tables: vtkScalarsToColors) -> bool:
     low, high = np.transpose([table.GetRange() for table in tables])
     return tables[0].UsingLogScale() == tables[1].UsingLogScale() and high.min() - low.max() > ALIKE * (high.max() - low.min())
+
+
+def _overlap(*bars: vtkScalarBarActor) -> bool:
+    low, size = (np.array([tuple(place(bar)) for bar in bars]) for place in (vtkScalarBarActor.GetPosition, vtkScalarBarActor.GetPosition2))
+    return bool((low.max(axis=0) < (low + size).min(axis=0)).all())
 
 
 def _place_side_by_side(bars: list[vtkScalarBarActor], upright: int) -> None:

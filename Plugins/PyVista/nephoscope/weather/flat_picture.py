@@ -12,7 +12,7 @@ from .._bars import add_mesh
 from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .._over_time import follows
-from .bars import BESIDE, finish_bars, make_room
+from .bars import BESIDE, bars_in, finish_bars, make_room
 from .exaggeration import say
 from .forms import form_of, told_form
 from .look import surface_look, with_share
@@ -57,18 +57,19 @@ def shape_of_section(plotter: pyvista.BasePlotter) -> float:
 
 def draw_section(plotter: pyvista.BasePlotter, sheet: pyvista.StructuredGrid, scales: dict[str, tuple[str, float]], scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
     """As `plotted_section`, into a plotter. `sheet` and `scales`: what `unrolled` returns."""
+    bars = bars_in(plotter)
     name = default_scalars(sheet)[1] if scalars is None else scalars
     for part in ground_of(sheet):
         plotter.add_mesh(part, color=LAND, lighting=False, reset_camera=False)
     title = told_form(title, sheet)
     title = _draw_section(plotter, sheet, name, {"scalar_bar_args": BESIDE, **options}, "y", scales, title)
-    finish_bars(plotter, title, options.get("clim"))
+    finish_bars(plotter, bars, title, options.get("clim"))
     make_room(plotter, as_high=False)
 
 
 def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str]) -> None:
     """The field as a volume in the outline of its grid, seen from the south and from above, or on the faces of the grid if it fills all of it; a field of one level or a section as a surface."""
-    options = {"scalar_bar_args": BESIDE, **options}
+    options, bars = {"scalar_bar_args": BESIDE, **options}, bars_in(plotter)
     name = default_scalars(grid)[1] if scalars is None else scalars
     if not follows(grid) and (form := form_of(grid, name, options)) is not None:
         grid, scalars = form(grid), name
@@ -81,7 +82,7 @@ def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str 
         flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
         title = _draw_section(plotter, grid, scalars, options, flat, _lengths(grid), title)
     say(plotter, grid)
-    finish_bars(plotter, title, options.get("clim"))
+    finish_bars(plotter, bars, title, options.get("clim"))
     make_room(plotter, as_high=False)
 
 

@@ -16,7 +16,7 @@ from .._medium import association_of, default_scalars, diagonal
 from .._over_time import follows
 from ..cells import add_cells
 from ..globe import EARTH_RADIUS, globe_surface, is_map, planet_radius
-from .bars import BELOW, BESIDE, finish_bars, make_room
+from .bars import BELOW, BESIDE, bars_in, finish_bars, make_room
 from .forms import VOLUME, form_of, told_form
 from .horizontal import GridError, section
 from .look import surface_look, with_share
@@ -98,7 +98,7 @@ def darken(plotter: pyvista.BasePlotter, alone: bool = False) -> None:
 
 def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | None, options: dict, title: Callable[[str], str], view: Any = None) -> None:
     """The field, the Earth below it, the scalar bar and the view."""
-    on_globe, clim = not is_map(grid), options.get("clim")
+    on_globe, clim, bars = not is_map(grid), options.get("clim"), bars_in(plotter)
     name = default_scalars(grid)[1] if scalars is None else scalars
     if not follows(grid) and (form := form_of(grid, name, options)) is not None:
         grid, scalars = form(grid), name
@@ -125,7 +125,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
         sun = np.ravel(volume.mapper.dataset.field_data["SunDirection"])[:3] if "sun" in options else None
         if "sun" in options and earth is not None:
             shade(earth, volume.mapper.dataset)
-    finish_bars(plotter, title, clim)
+    finish_bars(plotter, bars, title, clim)
     limits = None if on_globe else _limits_of_map(grid)
     if limits is not None:
         _finish_map(plotter, grid, limits)
