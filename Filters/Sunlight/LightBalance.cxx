@@ -81,11 +81,19 @@ double LightBalance::AreaAt(std::size_t p, const Index& at, int axis) const
   return this->WidthAt(p, at, (axis + 1) % 3) * this->WidthAt(p, at, (axis + 2) % 3);
 }
 
+// The depth of the layer from a point to the next one above.
+double LightBalance::LayerDepth(std::size_t p) const
+{
+  const std::size_t columns = this->Grid.Columns();
+  const std::size_t below = p + columns < this->Grid.Points() ? p : p - columns;
+  return between(this->Grid, below, below + columns, this->Grid.Step[below][2]).Depth;
+}
+
 LightBalance::Edge LightBalance::MakeEdge(std::size_t p, std::size_t q, int axis) const
 {
   Edge edge;
   LayerMedium medium = between(this->Grid, p, q, this->Grid.Step[p][axis]);
-  edge.Trust = trustAt(medium.Depth);
+  edge.Trust = trustAt(std::min(medium.Depth, 0.5 * (this->LayerDepth(p) + this->LayerDepth(q))));
   edge.Forward = static_cast<float>(1 - medium.Transport());
   if (axis == 2)
   {
@@ -206,7 +214,8 @@ void LightBalance::Compare(const DiffuseField& ordinates, const DiffuseField& kn
         edge.Extra = 0;
         const double found = 0.5 * (ordinates.Flux[p][axis] + ordinates.Flux[q][axis]);
         const double assumed = 0.5 * (known.Flux[p][axis] + known.Flux[q][axis]);
-        const double settled = (found - edge.Forward * assumed) / (1 - edge.Forward);
+        // The flux scatters `Forward` of itself in deep clouds, and nothing in thin ones: half of it converges in both.
+        const double settled = (found - 0.5 * edge.Forward * assumed) / (1 - 0.5 * edge.Forward);
         different(edge, settled, 0.5 * (edge.Out(a, b) + edge.In(a, b)));
       }
     }

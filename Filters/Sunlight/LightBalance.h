@@ -77,6 +77,7 @@ private:
   }
   double WidthAt(std::size_t p, const Index& at, int axis) const;
   double AreaAt(std::size_t p, const Index& at, int axis) const;
+  double LayerDepth(std::size_t p) const;
   Edge MakeEdge(std::size_t p, std::size_t q, int axis) const;
   void AddBeam(
     Edge& edge, std::size_t p, std::size_t q, int axis, const struct LayerMedium& medium) const;

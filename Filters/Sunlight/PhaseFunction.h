@@ -4,6 +4,7 @@
 #ifndef nephoscope_PhaseFunction_h
 #define nephoscope_PhaseFunction_h
 
+#include <algorithm>
 #include <cmath>
 
 namespace nephoscope
@@ -27,6 +28,29 @@ inline ScaledMedium scaled(double extinction, double albedo, double asymmetry)
   const double forward = asymmetry * asymmetry;
   return { (1 - albedo * forward) * extinction, (1 - forward) * albedo / (1 - albedo * forward),
     asymmetry / (1 + asymmetry) };
+}
+
+/**
+ * The phase function of light that has been scattered straight on before, of fraction `forward` (README.md): the mean of `smooth`, that of the scaled medium, and of
+ * what makes light scattered twice exact. `once` and `twice` are the phase functions of light scattered once and twice, `smoothTwice` that of two scatterings in the scaled medium.
+ */
+inline double afterForwardScattering(
+  double once, double twice, double smooth, double smoothTwice, double forward)
+{
+  const double rest = 1 - forward;
+  const double exact = forward < 1e-6
+    ? smooth
+    : (twice - forward * once - rest * rest * smoothTwice) / (forward * rest);
+  return 0.5 * (smooth + std::max(exact, 0.0));
+}
+
+/** The same for a Henyey-Greenstein function: light scattered twice has the asymmetry squared. */
+inline double afterForwardScattering(double asymmetry, double cosine)
+{
+  const double forward = asymmetry * asymmetry, scaled = asymmetry / (1 + asymmetry);
+  return afterForwardScattering(henyeyGreenstein(asymmetry, cosine),
+    henyeyGreenstein(forward, cosine), henyeyGreenstein(scaled, cosine),
+    henyeyGreenstein(scaled * scaled, cosine), forward);
 }
 }
 

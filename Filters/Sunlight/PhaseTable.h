@@ -56,19 +56,52 @@ inline double asymmetryOf(const std::vector<double>& table)
   return sum / weights;
 }
 
+/** The phase function of light scattered twice: its Legendre coefficients are the squares of those of `table`. */
+inline std::vector<double> scatteredTwice(const std::vector<double>& table)
+{
+  const std::size_t size = table.size(), terms = (size + 1) / 2;
+  const double step = 3.14159265358979323846 / double(size - 1);
+  std::vector<double> twice(size, 0.0), cosine(size), before(size, 0.0), now(size, 1.0);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    cosine[i] = std::cos(step * double(i));
+  }
+  for (std::size_t l = 0; l < terms; ++l)
+  {
+    double coefficient = 0;
+    for (std::size_t i = 0; i + 1 < size; ++i)
+    {
+      coefficient +=
+        0.25 * (cosine[i] - cosine[i + 1]) * (table[i] * now[i] + table[i + 1] * now[i + 1]);
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      twice[i] += double(2 * l + 1) * coefficient * coefficient * now[i];
+      const double next =
+        (double(2 * l + 1) * cosine[i] * now[i] - double(l) * before[i]) / double(l + 1);
+      before[i] = now[i];
+      now[i] = next;
+    }
+  }
+  return twice;
+}
+
 /**
- * What a mapper multiplies single scattering by: light that comes straight from the sun, P / (1 - f), and light that has been scattered straight on before,
- * Henyey-Greenstein of the scaled asymmetry. Without scaling, f is 0.
+ * What a mapper multiplies single scattering by: light that comes straight from the sun, P / (1 - f), and light that has been scattered straight on before
+ * (PhaseFunction.h). Without scaling, f is 0.
  */
 inline std::vector<std::array<float, 2>> phaseFactors(const std::vector<double>& table, bool scales)
 {
-  const double asymmetry = asymmetryOf(table), forward = scales ? asymmetry * asymmetry : 0.0;
+  const double asymmetry = asymmetryOf(table), forward = scales ? asymmetry * asymmetry : 0.0,
+               scaled = asymmetry / (1 + asymmetry);
+  const std::vector<double> twice = scatteredTwice(table);
   std::vector<std::array<float, 2>> factors(table.size());
   for (std::size_t i = 0; i < table.size(); ++i)
   {
     const double cosine = std::cos(3.14159265358979323846 * double(i) / double(table.size() - 1));
     factors[i] = { { static_cast<float>(table[i] / (1 - forward)),
-      static_cast<float>(henyeyGreenstein(asymmetry / (1 + asymmetry), cosine)) } };
+      static_cast<float>(afterForwardScattering(table[i], twice[i],
+        henyeyGreenstein(scaled, cosine), henyeyGreenstein(scaled * scaled, cosine), forward)) } };
   }
   return factors;
 }

@@ -148,19 +148,18 @@ bool vtkSunlight::IsSurfaceBelowClouds(vtkDataSet* data)
   return true;
 }
 
-// Light straight from the sun is scattered with the whole phase function, that which has been scattered straight on before with the scaled one (README.md).
+// Light straight from the sun is scattered with the whole phase function, that which has been scattered straight on before with what makes two scatterings exact (README.md).
 double vtkSunlight::PhaseTowardsEye(const Work& work, std::size_t p, double cosine) const
 {
-  const double scaled = work.Asymmetry[p], once = nephoscope::henyeyGreenstein(scaled, cosine),
-               light = std::exp(-double(work.ScaledDepth[p]));
+  const double scaled = work.Asymmetry[p], light = std::exp(-double(work.ScaledDepth[p]));
   if (!this->MultipleScattering || !(light > 0))
   {
-    return once;
+    return nephoscope::henyeyGreenstein(scaled, cosine);
   }
   const double whole = scaled / (1 - scaled); // the asymmetry parameter that was scaled
   const double straight = std::min(work.Transmittance[p] / light, 1.0);
   return straight * nephoscope::henyeyGreenstein(whole, cosine) / (1 - whole * whole) +
-    (1 - straight) * once;
+    (1 - straight) * nephoscope::afterForwardScattering(whole, cosine);
 }
 
 // Irradiance from the sky, which fades with twilight.
