@@ -40,7 +40,7 @@ inline std::vector<std::pair<double, double>> gaussLegendre(int n)
   return rule;
 }
 
-// `zenith` cosines in each hemisphere, `azimuth` angles, none of them along an axis.
+// `zenith` cosines in each hemisphere; `azimuth` angles for each, twice as many for those with the larger solid angles. None is along an axis.
 inline std::vector<Direction> directionSet(int zenith, int azimuth)
 {
   std::vector<Direction> directions;
@@ -50,11 +50,12 @@ inline std::vector<Direction> directionSet(int zenith, int azimuth)
     for (const auto& [mu, weight] : gaussLegendre(zenith))
     {
       const double sine = std::sqrt(1 - mu * mu);
-      for (int a = 0; a < azimuth; ++a)
+      const int angles = weight * zenith > 1.2 ? 2 * azimuth : azimuth;
+      for (int a = 0; a < angles; ++a)
       {
-        const double angle = twoPi * (a + 0.5) / azimuth;
+        const double angle = twoPi * (a + 0.5) / angles;
         directions.push_back({ float(sine * std::cos(angle)), float(sine * std::sin(angle)),
-          float(side * mu), float(twoPi / azimuth * weight) });
+          float(side * mu), float(twoPi / angles * weight) });
       }
     }
   }

@@ -145,7 +145,7 @@ public:
   ///@}
 
   ///@{
-  /** Zenith angles in each hemisphere (1 to 16) and azimuth angles (4 to 64) of the diffuse light. Defaults 3 and 4; the cost is proportional to their product. */
+  /** Zenith angles in each hemisphere (1 to 16) and azimuth angles (4 to 64) of the diffuse light; zenith angles with larger solid angles have twice as many. Defaults 3 and 4: 4, 8 and 4 directions. */
   vtkSetClampMacro(ZenithAngles, int, 1, 16);
   vtkGetMacro(ZenithAngles, int);
   vtkSetClampMacro(AzimuthAngles, int, 4, 64);

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 from nephoscope import vtkSunlight, vtkSunSource
 from nephoscope_testing.messages import Messages
-from TestSunlight import globe, image
+from lit import globe, image
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 

@@ -69,7 +69,7 @@ class Column:
 
 class Exact(unittest.TestCase):
     def test_reference(self):
-        """A thin slab scatters once; a deep one with isotropic scattering reflects what Chandrasekhar (1950) has, with H(1) = 2.9078."""
+        """A thin slab scatters once; a deep one with isotropic scattering reflects H(1)^2 / 8, with 2.9078 for the H function of Chandrasekhar (1950)."""
         for cosine, azimuth in VIEWS:
             angle = np.sqrt(0.51 * (1 - cosine**2)) * np.cos(azimuth) - 0.7 * cosine
             phase = (1 - ASYMMETRY**2) / (1 + ASYMMETRY**2 - 2 * ASYMMETRY * angle) ** 1.5

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """
-The light that a level slab of cloud reflects, exactly: doubling of thin layers (van de Hulst 1963; Hansen 1971), in Fourier terms of the azimuth. Black ground, no sky,
+The light that a level slab of cloud reflects, exactly: doubling of thin layers (Hansen1971), in Fourier terms of the azimuth. Black ground, no sky,
 no absorption, Henyey-Greenstein.
 """
 import numpy as np

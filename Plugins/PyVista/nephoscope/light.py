@@ -78,7 +78,8 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
     multiple_scattering : bool, default: True
         Includes light that is scattered more than once.
     zenith_angles, azimuth_angles : int
-        Number of directions of the diffuse light: zenith angles in each hemisphere (1 to 16), azimuth angles (4 to 64).
+        Number of directions of the diffuse light: zenith angles in each hemisphere (1 to 16), azimuth angles (4 to 64; twice as many at
+        zenith angles with larger solid angles).
     eye : sequence of 3 float or "camera", optional
         Position of the eye for which ``Sunlight`` is computed. ``"camera"``: the light of the sun's beam is kept in an array of its own, and `add_cells` draws what goes
         towards the camera of each frame. Default: the mean over all directions.
