@@ -9,6 +9,7 @@
 #include "Vector3.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCharArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
@@ -319,7 +320,7 @@ Place SampleFrame::ToPlace(const Place& c) const
 }
 
 vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
-  const std::vector<Place>& places, double points) const
+  const std::vector<Place>& places, double points, double margin) const
 {
   vtkBoundingBox box;
   for (const Place& p : places)
@@ -335,7 +336,14 @@ vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
     size[axis] = std::max(box.GetLength(axis),
       this->IsOnGlobe() && axis == 2 ? shortest * box.GetMaxPoint()[2] : shortest);
   }
-  if (this->IsOnGlobe() && least[0] < -nearlyAll && box.GetMaxPoint()[0] > nearlyAll)
+  for (const int axis : { 0, 1 })
+  {
+    const double limit = this->IsOnGlobe() ? vtkMath::Pi() / (axis + 1) : VTK_DOUBLE_MAX,
+                 most = std::min(least[axis] + (1 + margin) * size[axis], limit);
+    least[axis] = std::max(least[axis] - margin * size[axis], -limit);
+    size[axis] = most - least[axis];
+  }
+  if (this->IsOnGlobe() && least[0] < -nearlyAll && least[0] + size[0] > nearlyAll)
   {
     least[0] = -vtkMath::Pi();
     size[0] = 2 * vtkMath::Pi();
@@ -384,4 +392,21 @@ vtkSmartPointer<vtkDataSet> SampleFrame::Sampled(vtkDataSet* data, vtkImageData*
   probe->Update();
   return vtkDataSet::SafeDownCast(probe->GetOutputDataObject(0));
 }
+bool SampleFrame::FillSides(vtkDataSet* sampled, vtkImageData* image)
+{
+  const auto* mask = vtkCharArray::SafeDownCast(
+    sampled->GetPointData()->GetArray(vtkNew<vtkProbeFilter>()->GetValidPointMaskArrayName()));
+  int dimensions[3];
+  image->GetDimensions(dimensions);
+  vtkIdType all = 0, filled = 0;
+  for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
+  {
+    const vtkIdType i = p % dimensions[0], j = p / dimensions[0] % dimensions[1];
+    const bool isSide = i == 0 || j == 0 || i == dimensions[0] - 1 || j == dimensions[1] - 1;
+    all += isSide ? 1 : 0;
+    filled += isSide && mask && mask->GetValue(p) != 0 ? 1 : 0;
+  }
+  return 2 * filled >= all;
+}
+
 }

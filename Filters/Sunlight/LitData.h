@@ -54,11 +54,15 @@ public:
   Place FromPlace(const Place& place) const;
   Place ToPlace(const Place& coordinates) const;
 
-  /** An image of about so many points around the places, in these coordinates. */
-  vtkSmartPointer<vtkImageData> MakeImage(const std::vector<Place>& places, double points) const;
+  /** An image of about so many points around the places, in these coordinates; `margin` is a fraction of its width, on each side. */
+  vtkSmartPointer<vtkImageData> MakeImage(
+    const std::vector<Place>& places, double points, double margin) const;
 
   /** The data, with their arrays, at the points of the image. */
   vtkSmartPointer<vtkDataSet> Sampled(vtkDataSet* data, vtkImageData* image) const;
+
+  /** Whether the data fill most of the sides of the image, as a part of larger clouds does, and clouds cut out of clear air do not. */
+  static bool FillSides(vtkDataSet* sampled, vtkImageData* image);
 
 private:
   bool IsOnGlobe() const { return this->Ground.Radius > 0; }

@@ -25,6 +25,11 @@ using nephoscope::addPointArray;
 using nephoscope::dot;
 using nephoscope::Vector;
 
+namespace
+{
+constexpr double clearMargin = 0.5; // around clouds cut out of clear air, in widths of these
+}
+
 // On structured data; otherwise Sample has made some of it.
 bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
 {
@@ -94,8 +99,13 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
     std::copy(values->begin(), values->end(), addPointArray(copy, name)->GetPointer(0));
   }
   const nephoscope::SampleFrame frame(work.Planet, work.Places);
-  const vtkSmartPointer<vtkImageData> image = frame.MakeImage(work.Places, 100000);
-  const vtkSmartPointer<vtkDataSet> grid = frame.Sampled(copy, image);
+  vtkSmartPointer<vtkImageData> image = frame.MakeImage(work.Places, 100000, 0);
+  vtkSmartPointer<vtkDataSet> grid = frame.Sampled(copy, image);
+  if (!nephoscope::SampleFrame::FillSides(grid, image)) // sides of the image are mirrors
+  {
+    image = frame.MakeImage(work.Places, 100000, clearMargin);
+    grid = frame.Sampled(copy, image);
+  }
   Work coarse;
   coarse.Planet = work.Planet;
   coarse.Sun = work.Sun;

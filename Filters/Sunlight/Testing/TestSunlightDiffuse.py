@@ -13,7 +13,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
-from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkThreshold
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter, vtkTransformFilter
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
@@ -319,6 +319,23 @@ class Unstructured(unittest.TestCase):
         for name, share in (("Sunlight", 0.1), ("UpwardIrradiance", 0.12)):
             a, b = values(expected, name), values(found, name)
             self.assertLess(abs(a - b)[day].mean(), share * a[day].mean(), name)
+
+    def test_clouds_cut_out_of_clear_air(self):
+        """A threshold leaves the light of a cloud as it was among clear air: no mirror stands at its sides. A slab that fills its box goes on beyond it."""
+        def cloud(x, y, z):
+            r = np.sqrt((x / 500)**2 + (y / 500)**2 + ((z - 1000) / 450)**2) + 0.12 * np.sin(x / 90) * np.sin(y / 70) * np.sin(z / 80)
+            return np.where(r < 1, 0.03 * np.minimum(1, 6 * (1 - r)), 0)
+        wide = image((65, 65, 31), (2500 / 64, 2500 / 64, 1000 / 30), cloud, origin=(-1250, -1250, 500))
+        cut = vtkThreshold()
+        cut.SetInputData(wide)
+        cut.SetInputArrayToProcess(0, 0, 0, 0, "Extinction")
+        cut.SetLowerThreshold(1e-6)
+        cut.SetThresholdFunction(cut.THRESHOLD_UPPER)
+        cut.Update()
+        for sun in ((0, 0, 1), (1, 0, 1)):
+            expected, found = (light_of(data, sun)[0] for data in (wide, cut.GetOutput()))
+            expected, found = (values(data, "Sunlight")[values(data, "Extinction") > 1e-3].mean() for data in (expected, found))
+            self.assertAlmostEqual(found, expected, delta=0.05 * expected)
 
     def test_residues_of_sampling_are_no_cloud(self):
         """Tetrahedra are sampled: what interpolation leaves of 0 was lit by its rounding, up to 3e8."""
