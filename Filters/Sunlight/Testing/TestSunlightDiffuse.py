@@ -329,7 +329,7 @@ class Unstructured(unittest.TestCase):
         cut = vtkThreshold()
         cut.SetInputData(wide)
         cut.SetInputArrayToProcess(0, 0, 0, 0, "Extinction")
-        cut.SetLowerThreshold(1e-6)
+        cut.SetUpperThreshold(1e-6)
         cut.SetThresholdFunction(cut.THRESHOLD_UPPER)
         cut.Update()
         for sun in ((0, 0, 1), (1, 0, 1)):
