@@ -320,7 +320,7 @@ Place SampleFrame::ToPlace(const Place& c) const
 }
 
 vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
-  const std::vector<Place>& places, double points, double margin) const
+  const std::vector<Place>& places, double points, bool hasClearSides) const
 {
   vtkBoundingBox box;
   for (const Place& p : places)
@@ -336,11 +336,13 @@ vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
     size[axis] = std::max(box.GetLength(axis),
       this->IsOnGlobe() && axis == 2 ? shortest * box.GetMaxPoint()[2] : shortest);
   }
-  for (const int axis : { 0, 1 })
+  const double height = size[2] / (this->IsOnGlobe() ? box.GetMaxPoint()[2] : 1.0);
+  for (int axis = 0; axis < 2 && hasClearSides; ++axis)
   {
     const double limit = this->IsOnGlobe() ? vtkMath::Pi() / (axis + 1) : VTK_DOUBLE_MAX,
-                 most = std::min(least[axis] + (1 + margin) * size[axis], limit);
-    least[axis] = std::max(least[axis] - margin * size[axis], -limit);
+                 margin = std::min(0.5 * size[axis], height),
+                 most = std::min(least[axis] + size[axis] + margin, limit);
+    least[axis] = std::max(least[axis] - margin, -limit);
     size[axis] = most - least[axis];
   }
   if (this->IsOnGlobe() && least[0] < -nearlyAll && least[0] + size[0] > nearlyAll)

@@ -54,9 +54,9 @@ public:
   Place FromPlace(const Place& place) const;
   Place ToPlace(const Place& coordinates) const;
 
-  /** An image of about so many points around the places, in these coordinates; `margin` is a fraction of its width, on each side. */
+  /** An image of about so many points around the places, in these coordinates; with clear sides, it is wider on each side by its height, or by half its width if that is less. */
   vtkSmartPointer<vtkImageData> MakeImage(
-    const std::vector<Place>& places, double points, double margin) const;
+    const std::vector<Place>& places, double points, bool hasClearSides) const;
 
   /** The data, with their arrays, at the points of the image. */
   vtkSmartPointer<vtkDataSet> Sampled(vtkDataSet* data, vtkImageData* image) const;

@@ -392,6 +392,7 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
       << work.Planet.Up[0] << ", " << work.Planet.Up[1] << ", " << work.Planet.Up[2]
       << "): set Up if the data have another vertical axis.");
   }
+  this->WarnOfDepth(data, work);
   this->Write(data, work);
   return true;
 }

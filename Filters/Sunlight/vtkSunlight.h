@@ -239,6 +239,7 @@ private:
   bool GoOn(double fraction);
   bool Shade(Work& work);
   void CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInformation* output);
+  void WarnOfDepth(vtkDataSet* data, const Work& work);
   void WarnOfPieces(vtkDataSet* data, vtkInformation* information);
   std::vector<double> State(vtkDataSet* input) const;
 

@@ -25,11 +25,6 @@ using nephoscope::addPointArray;
 using nephoscope::dot;
 using nephoscope::Vector;
 
-namespace
-{
-constexpr double clearMargin = 0.5; // around clouds cut out of clear air, in widths of these
-}
-
 // On structured data; otherwise Sample has made some of it.
 bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
 {
@@ -99,11 +94,11 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
     std::copy(values->begin(), values->end(), addPointArray(copy, name)->GetPointer(0));
   }
   const nephoscope::SampleFrame frame(work.Planet, work.Places);
-  vtkSmartPointer<vtkImageData> image = frame.MakeImage(work.Places, 100000, 0);
+  vtkSmartPointer<vtkImageData> image = frame.MakeImage(work.Places, 100000, false);
   vtkSmartPointer<vtkDataSet> grid = frame.Sampled(copy, image);
   if (!nephoscope::SampleFrame::FillSides(grid, image)) // sides of the image are mirrors
   {
-    image = frame.MakeImage(work.Places, 100000, clearMargin);
+    image = frame.MakeImage(work.Places, 100000, true);
     grid = frame.Sampled(copy, image);
   }
   Work coarse;

@@ -321,6 +321,19 @@ class Wrong(unittest.TestCase):
         self.assertIn("27 values", messages[0])
         self.assertTrue(np.isfinite(values(output, "Sunlight")).all())
 
+    def test_depths_that_no_cloud_has(self):
+        """An array that is no extinction, an extinction per metre on a mesh in kilometres; thick clouds in clear air are told nothing."""
+        for data, options, words in (
+                (image((9, 9, 9), (1, 1, 1), lambda x, y, z: 150 + x), {}, ("optical depth above 200", "ExtinctionScale, such as 0.006")),
+                (image((9, 9, 9), (1, 1, 1), lambda x, y, z: 150 + x), {"ExtinctionScale": 1e-4}, ()),
+                (image((9, 9, 9), (1, 1, 0.5), lambda x, y, z: 0 * x + 1e-4), {}, ("greatest optical depth, across all of the data, is 0.001", "such as 8000")),
+                (image((9, 9, 9), (1000, 1000, 500), lambda x, y, z: 0.05 * (z > 2000) * (x > 5000)), {}, ()),
+                (image((9, 9, 9), (1, 1, 1), lambda x, y, z: 0 * x), {}, ())):
+            _, messages = light_of(data, **options)
+            self.assertEqual(len(messages), 1 if words else 0, messages)
+            for word in words:
+                self.assertIn(word, messages[0])
+
 
 class Smoke(unittest.TestCase):
     """A straight beam along x of radius 1: an optical depth of 1 through its middle, whatever the density."""
