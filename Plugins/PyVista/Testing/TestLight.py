@@ -274,7 +274,7 @@ class Smoke(unittest.TestCase):
         wind["wind"] = np.tile((1.0, 0, 0), (wind.n_points, 1))
         smoke = wind.nephoscope.flow_volume(center=(-8, 0, 0), radius=1, n_sides=40, duration=16, time_step=0.5)
         cloud = pyvista.ImageData(dimensions=(41, 17, 21), spacing=(0.5, 0.5, 0.5), origin=(-10, -4, -4))
-        cloud["Extinction"] = np.where((np.abs(cloud.points[:, 0]) < 3) & (cloud.points[:, 2] > 3), 2.0, 0.0)
+        cloud["Extinction"] = np.where((np.abs(cloud.points[:, 0]) < 2) & (cloud.points[:, 2] > 3), 2.0, 0.0)
         sun = {"clouds": cloud.nephoscope.sunlight((0, 0, 1))}
 
         def picture(**options):
