@@ -202,7 +202,7 @@ void PolygonScene::ListForRays(const CellGeometry& geometry, const TetrahedronNe
       {
         const bool jumps = across < 0;
         const std::array<std::int32_t, 4> there = jumps
-          ? neighbors.BoundaryFaces[static_cast<std::size_t>(TetrahedronNeighbors::Jump - across)]
+          ? neighbors.FaceAcross(across, static_cast<std::int32_t>(i))
           : std::array<std::int32_t, 4>{ { merged[0], merged[1], merged[2], across } };
         const std::size_t neighbor = static_cast<std::size_t>(there[3]);
         add(surface, corners, { { there[0], there[1], there[2] } }, neighbor,

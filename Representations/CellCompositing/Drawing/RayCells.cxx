@@ -91,11 +91,9 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
   }
   else
   {
-    const auto pairs = neighbors.WithNextVertices(geometry); // two in an element of the texture
-    error = this->Neighbors.Upload(window, pairs.data(), pairs.size() / 2, 4, VTK_INT);
+    upload(this->Neighbors, neighbors.Links(), 4, VTK_INT);
     this->Hexahedra.Release(window);
   }
-  upload(this->VertexSums, neighbors.VertexSums, 1, VTK_INT);
   upload(this->HiddenCells, geometry.HiddenCells, 1, VTK_UNSIGNED_CHAR);
   return error.empty() ? this->Voxels.UploadScalars(window, geometry) : error;
 }
@@ -252,10 +250,12 @@ void RayCells::SetTopology(vtkShaderProgram* program, int instance)
   program->SetUniformi(name("maximumSteps"), maximumSteps);
   if (this->Grid.IsEmpty())
   {
-    program->SetUniformi(name("neighbors"), this->Neighbors.Activate());
-    BufferTexture& vertices = this->HasHexahedra ? this->Hexahedra : this->VertexSums;
     program->SetUniformi(
-      name(this->HasHexahedra ? "hexahedra" : "vertexSums"), vertices.Activate());
+      name(this->HasHexahedra ? "neighbors" : "tetrahedronLinks"), this->Neighbors.Activate());
+    if (this->HasHexahedra)
+    {
+      program->SetUniformi(name("hexahedra"), this->Hexahedra.Activate());
+    }
     return;
   }
   const int stride[3] = { 1, this->Grid.Size[0], this->Grid.Size[0] * this->Grid.Size[1] };
@@ -270,8 +270,8 @@ void RayCells::SetTopology(vtkShaderProgram* program, int instance)
 
 void RayCells::DeactivateTopology()
 {
-  for (BufferTexture* buffer : { &this->Neighbors, &this->VertexSums, &this->Hexahedra,
-         &this->BoundaryFaces, &this->HiddenCells })
+  for (BufferTexture* buffer :
+    { &this->Neighbors, &this->Hexahedra, &this->BoundaryFaces, &this->HiddenCells })
   {
     buffer->Deactivate();
   }
@@ -279,7 +279,8 @@ void RayCells::DeactivateTopology()
 
 int RayCells::CountTextures() const
 {
-  return 1 + (this->HasHiddenCells ? 1 : 0) + (this->Grid.IsEmpty() ? 2 : 0);
+  return 1 + (this->HasHiddenCells ? 1 : 0) + (this->Grid.IsEmpty() ? 1 : 0) +
+    (this->HasHexahedra ? 1 : 0);
 }
 
 void RayCells::DrawSegments(const CellDrawing& drawing, int from, const EyeTetrahedron& eye)
@@ -336,8 +337,8 @@ void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program, int 
 void RayCells::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Voxels.ReleaseGraphicsResources(window);
-  for (BufferTexture* buffer : { &this->Neighbors, &this->VertexSums, &this->Hexahedra,
-         &this->BoundaryFaces, &this->HiddenCells })
+  for (BufferTexture* buffer :
+    { &this->Neighbors, &this->Hexahedra, &this->BoundaryFaces, &this->HiddenCells })
   {
     buffer->Release(window);
   }

@@ -97,7 +97,7 @@ private:
   void SetRays(const CellDrawing& drawing, vtkShaderProgram* program, int instance = -1);
 
   RayVoxels Voxels; // draws instead where it can
-  BufferTexture Neighbors, VertexSums, Hexahedra, BoundaryFaces, HiddenCells;
+  BufferTexture Neighbors, Hexahedra, BoundaryFaces, HiddenCells;
   ChessboardGrid Grid; // empty: another mesh
   CellBox Box;
   std::array<float, 2> ClearRange = { { 1, 0 } };

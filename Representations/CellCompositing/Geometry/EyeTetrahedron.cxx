@@ -120,6 +120,11 @@ EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors
     result.Place[3] =
       number % ChessboardGrid::TetrahedraPerCell == 0 ? -1 : std::int32_t(vertices[0]);
   }
+  if (geometry.Grid.IsEmpty() && geometry.Hexahedra.empty())
+  {
+    const auto neighbor = neighbors.FindOneNeighbor(geometry, std::size_t(number));
+    std::copy(neighbor.begin(), neighbor.end(), result.Place.begin() + 1);
+  }
   result.Hexahedron = result.Place;
   return result;
 }

@@ -5,10 +5,14 @@
 #include "Buckets.h"
 #include "CoincidentPoints.h"
 
+#include "vtkSMPThreadLocal.h"
+#include "vtkSMPTools.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace nephoscope
 {
@@ -31,13 +35,19 @@ struct OpenFace
   }
 };
 
+/** No places: no points coincide. */
+std::int32_t placeOf(std::int32_t point, const std::vector<std::int32_t>& places)
+{
+  return places.empty() ? point : places[static_cast<std::size_t>(point)];
+}
+
 std::array<std::int32_t, 3> sortedPlaces(
   const Tetrahedron& t, int opposite, const std::vector<std::int32_t>& places)
 {
   std::array<std::int32_t, 3> points;
   for (int k = 0; k < 3; ++k)
   {
-    points[k] = places[static_cast<std::size_t>(t[tetrahedronFaces[opposite][k]])];
+    points[k] = placeOf(t[tetrahedronFaces[opposite][k]], places);
   }
   std::sort(points.begin(), points.end());
   return points;
@@ -48,7 +58,7 @@ Vector3 vertexAcross(const CellGeometry& geometry, const Tetrahedron& other,
   const std::array<std::int32_t, 3>& face, const std::vector<std::int32_t>& places)
 {
   return geometry.Position(*std::find_if(other.begin(), other.begin() + 3, [&](std::int32_t p) {
-    return std::find(face.begin(), face.end(), places[static_cast<std::size_t>(p)]) == face.end();
+    return std::find(face.begin(), face.end(), placeOf(p, places)) == face.end();
   }));
 }
 
@@ -62,6 +72,69 @@ double roundingOf(const std::array<Vector3, 4>& p, const Vector3& q)
   }
   return largest * std::numeric_limits<float>::epsilon();
 }
+
+/** Whether both tetrahedra of a face, the second one perhaps None, lie on the same side of it. */
+bool isFolded(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
+  std::size_t tetrahedron, int face, std::int32_t other)
+{
+  if (other == FaceNeighbors::None)
+  {
+    return false;
+  }
+  const std::array<Vector3, 4> p = geometry.Vertices(tetrahedron);
+  const auto& f = tetrahedronFaces[face];
+  const Vector3 far = vertexAcross(geometry, geometry.Tetrahedra[static_cast<std::size_t>(other)],
+    sortedPlaces(geometry.Tetrahedra[tetrahedron], face, places), places);
+  const double error = roundingOf(p, far);
+  const auto side = [&](const Vector3& x) {
+    return planeSideWithin(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1.0 } }, error);
+  };
+  const int near = side(p[static_cast<std::size_t>(face)]);
+  return near != 0 && near == side(far);
+}
+
+/** Which of the faces of a tetrahedron, by the vertex across, has these places; all of them in turn. */
+template <typename Visit>
+void forFacesAt(const Tetrahedron& t, const std::array<std::int32_t, 3>& face,
+  const std::vector<std::int32_t>& places, Visit visit)
+{
+  const auto count = std::count_if(t.begin(), t.end(), [&](std::int32_t p) {
+    return std::find(face.begin(), face.end(), placeOf(p, places)) != face.end();
+  });
+  for (int k = 0; k < 4 && count >= 3; ++k)
+  {
+    if (sortedPlaces(t, k, places) == face)
+    {
+      visit(k);
+    }
+  }
+}
+}
+
+std::int32_t findNeighborAcross(const CellGeometry& geometry,
+  const std::vector<std::int32_t>& places, std::size_t tetrahedron, int face)
+{
+  using Side = std::pair<std::int64_t, int>;
+  const auto wanted = sortedPlaces(geometry.Tetrahedra[tetrahedron], face, places);
+  vtkSMPThreadLocal<std::vector<Side>> found;
+  vtkSMPTools::For(0, geometry.CountTetrahedra(), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      forFacesAt(geometry.Tetrahedra[static_cast<std::size_t>(i)], wanted, places,
+        [&](int k) { found.Local().emplace_back(i, k); });
+    }
+  });
+  std::vector<Side> sides;
+  for (const std::vector<Side>& part : found)
+  {
+    sides.insert(sides.end(), part.begin(), part.end());
+  }
+  std::sort(sides.begin(), sides.end()); // they meet in pairs, as in MatchFaces
+  const auto own = std::find(sides.begin(), sides.end(), Side(tetrahedron, face));
+  const std::size_t other = static_cast<std::size_t>(own - sides.begin()) ^ 1u;
+  const std::int32_t neighbor =
+    other < sides.size() ? static_cast<std::int32_t>(sides[other].first) : FaceNeighbors::None;
+  return isFolded(geometry, places, tetrahedron, face, neighbor) ? FaceNeighbors::None : neighbor;
 }
 
 double findCoordinateError(const CellGeometry& geometry)
@@ -134,34 +207,15 @@ bool FaceNeighbors::MatchFaces(const CellGeometry& geometry, const Progress& pro
     });
 }
 
-// Whether both tetrahedra of a face lie on the same side of it.
-bool FaceNeighbors::IsFolded(const CellGeometry& geometry, std::size_t tetrahedron, int face) const
-{
-  const std::int32_t other = this->Get(tetrahedron, face);
-  if (other == None)
-  {
-    return false;
-  }
-  const std::array<Vector3, 4> p = geometry.Vertices(tetrahedron);
-  const auto& f = tetrahedronFaces[face];
-  const Vector3 far = vertexAcross(geometry, geometry.Tetrahedra[static_cast<std::size_t>(other)],
-    sortedPlaces(geometry.Tetrahedra[tetrahedron], face, this->Places), this->Places);
-  const double error = roundingOf(p, far);
-  const auto side = [&](const Vector3& x) {
-    return planeSideWithin(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1.0 } }, error);
-  };
-  const int near = side(p[static_cast<std::size_t>(face)]);
-  return near != 0 && near == side(far);
-}
-
 bool FaceNeighbors::UnfoldFaces(const CellGeometry& geometry, const Progress& progress)
 {
   std::vector<std::int32_t> found(this->Neighbors.size());
   const bool done = forEach(geometry.Tetrahedra.size(), progress, [&](std::size_t i) {
     for (int face = 0; face < 4; ++face)
     {
+      const std::int32_t neighbor = this->Get(i, face);
       found[4 * i + static_cast<std::size_t>(face)] =
-        this->IsFolded(geometry, i, face) ? None : this->Get(i, face);
+        isFolded(geometry, this->Places, i, face, neighbor) ? None : neighbor;
     }
   });
   this->Neighbors.swap(found);

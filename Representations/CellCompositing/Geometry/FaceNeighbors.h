@@ -47,8 +47,14 @@ private:
 
   bool MatchFaces(const CellGeometry& geometry, const Progress& progress);
   bool UnfoldFaces(const CellGeometry& geometry, const Progress& progress);
-  bool IsFolded(const CellGeometry& geometry, std::size_t tetrahedron, int face) const;
 };
+
+/**
+ * What FaceNeighbors::Get gives, without any list of neighbours: tests all tetrahedra. `places`: of all points (GetPlaces()), or empty where none
+ * coincide.
+ */
+std::int32_t findNeighborAcross(const CellGeometry& geometry,
+  const std::vector<std::int32_t>& places, std::size_t tetrahedron, int face);
 
 /** Bound on the rounding of a point's coordinates: half a unit in the last place of the largest, twice. */
 double findCoordinateError(const CellGeometry& geometry);

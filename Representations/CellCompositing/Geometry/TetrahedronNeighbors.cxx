@@ -23,6 +23,13 @@ constexpr std::int32_t jumpTo(std::int32_t tetrahedron)
   return TetrahedronNeighbors::Jump - tetrahedron;
 }
 
+/** Position of a vertex among all four in ascending order. */
+std::int32_t rankOf(const Tetrahedron& t, int vertex)
+{
+  return std::int32_t(
+    std::count_if(t.begin(), t.end(), [&](std::int32_t v) { return v < t[std::size_t(vertex)]; }));
+}
+
 struct JumpFace
 {
   BoundaryFace Face;
@@ -62,6 +69,7 @@ void TetrahedronNeighbors::Build(
   const CellGeometry& geometry, const FaceNeighbors& faces, const std::vector<float>& third)
 {
   this->MergePoints(geometry, faces.GetPlaces(), third);
+  this->Places = this->MergedPoints.empty() ? std::vector<std::int32_t>() : faces.GetPlaces();
   this->FindNeighbors(geometry, faces);
   this->ListBoundary(geometry);
 }
@@ -132,11 +140,10 @@ Tetrahedron TetrahedronNeighbors::MergedVertices(
   return t;
 }
 
-// The tetrahedron across the face opposite vertex `face`; jumpTo it where it has other vertices there.
-std::int32_t TetrahedronNeighbors::FindNeighbor(const CellGeometry& geometry,
-  const FaceNeighbors& faces, std::size_t tetrahedron, const Tetrahedron& vertices, int face) const
+// A tetrahedron across the face opposite vertex `face`; jumpTo it where it has other vertices there.
+std::int32_t TetrahedronNeighbors::Linked(
+  const CellGeometry& geometry, const Tetrahedron& vertices, std::int32_t neighbor, int face) const
 {
-  const std::int32_t neighbor = faces.Get(tetrahedron, face);
   if (neighbor < 0)
   {
     return None;
@@ -163,37 +170,57 @@ void TetrahedronNeighbors::FindNeighbors(const CellGeometry& geometry, const Fac
       const Tetrahedron t = this->MergedVertices(geometry, i);
       for (int face = 0; face < 4; ++face)
       {
-        const std::int32_t opposite = t[std::size_t(face)];
-        const auto rank =
-          std::count_if(t.begin(), t.end(), [opposite](std::int32_t v) { return v < opposite; });
-        this->Neighbors[4 * i + std::size_t(rank)] =
-          this->FindNeighbor(geometry, faces, i, t, face);
-        this->VertexSums[i] ^= opposite;
+        this->Neighbors[4 * i + std::size_t(rankOf(t, face))] =
+          this->Linked(geometry, t, faces.Get(i, face), face);
+        this->VertexSums[i] ^= t[std::size_t(face)];
       }
     }
   });
 }
 
-std::vector<std::array<std::int32_t, 2>> TetrahedronNeighbors::WithNextVertices(
-  const CellGeometry& geometry) const
+std::vector<std::array<std::int32_t, 4>> TetrahedronNeighbors::Links() const
 {
-  std::vector<std::array<std::int32_t, 2>> result(this->Neighbors.size());
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(this->VertexSums.size()), [&](vtkIdType begin, vtkIdType end) {
-      for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i)
-      {
-        Tetrahedron t = this->MergedVertices(geometry, i);
-        std::sort(t.begin(), t.end());
-        for (std::size_t k = 0; k < 4; ++k)
-        {
-          const std::int32_t neighbor = this->Neighbors[4 * i + k];
-          const std::int32_t faceSum = this->VertexSums[i] ^ t[k];
-          result[4 * i + k] = { { neighbor,
-            neighbor >= 0 ? this->VertexSums[std::size_t(neighbor)] ^ faceSum : 0 } };
-        }
-      }
-    });
+  std::vector<std::array<std::int32_t, 4>> result(this->VertexSums.size());
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    const std::int32_t* n = &this->Neighbors[4 * i];
+    result[i] = { { this->VertexSums[i], n[0] ^ n[3], n[1] ^ n[3], n[2] ^ n[3] } };
+  }
   return result;
+}
+
+void TetrahedronNeighbors::ReleaseNeighbors()
+{
+  this->Neighbors = {};
+  this->VertexSums = {};
+}
+
+std::array<std::int32_t, 2> TetrahedronNeighbors::FindOneNeighbor(
+  const CellGeometry& geometry, std::size_t tetrahedron) const
+{
+  constexpr int face = 0;
+  const Tetrahedron t = this->MergedVertices(geometry, tetrahedron);
+  const std::int32_t found =
+    this->Linked(geometry, t, findNeighborAcross(geometry, this->Places, tetrahedron, face), face);
+  return { { found <= Jump ? this->FindJump(t, std::int32_t(tetrahedron), face) : found,
+    rankOf(t, face) } };
+}
+
+// What the neighbours have on record where values jump in the face across from a vertex.
+std::int32_t TetrahedronNeighbors::FindJump(
+  const Tetrahedron& t, std::int32_t tetrahedron, int face) const
+{
+  const std::size_t entries = this->BoundaryFaces.size() - this->NumberOfJumps;
+  for (std::size_t i = entries; i < this->BoundaryFaces.size(); ++i)
+  {
+    const BoundaryFace& jump = this->BoundaryFaces[i];
+    if (jump[3] == tetrahedron &&
+      std::find(jump.begin(), jump.begin() + 3, t[std::size_t(face)]) == jump.begin() + 3)
+    {
+      return Jump - std::int32_t(i - (i - entries) % 2);
+    }
+  }
+  return None;
 }
 
 void TetrahedronNeighbors::ListBoundary(const CellGeometry& geometry)
@@ -229,28 +256,35 @@ void TetrahedronNeighbors::ListBoundary(const CellGeometry& geometry)
   }
   // Those that do not find each other are boundary as all others.
   std::vector<const JumpFace*> partners(jumps.size());
-  std::vector<std::int32_t> numbers(jumps.size());
-  this->NumberOfJumps = 0;
   for (std::size_t i = 0; i < jumps.size(); ++i)
   {
+    this->Neighbors[jumps[i].Place] = None;
     partners[i] = findPartner(jumps, jumps[i]);
-    numbers[i] = partners[i] ? std::int32_t(this->NumberOfJumps++) : -1;
-    if (!partners[i])
+  }
+  const auto isPaired = [&](std::size_t i) {
+    return partners[i] && partners[std::size_t(partners[i] - jumps.data())] == &jumps[i];
+  };
+  for (std::size_t i = 0; i < jumps.size(); ++i)
+  {
+    if (!isPaired(i))
     {
       addEntry(jumps[i].Face);
     }
   }
-  const std::int32_t entries = std::int32_t(this->BoundaryFaces.size());
+  const std::size_t entries = this->BoundaryFaces.size();
   for (std::size_t i = 0; i < jumps.size(); ++i)
   {
-    this->Neighbors[jumps[i].Place] = None;
-    if (partners[i])
+    if (isPaired(i) && partners[i] > &jumps[i]) // both sides at once
     {
-      this->Neighbors[jumps[i].Place] =
-        Jump - entries - numbers[std::size_t(partners[i] - jumps.data())];
-      this->BoundaryFaces.push_back(jumps[i].Face);
+      const std::int32_t link = Jump - std::int32_t(this->BoundaryFaces.size());
+      for (const JumpFace* side : { static_cast<const JumpFace*>(&jumps[i]), partners[i] })
+      {
+        this->Neighbors[side->Place] = link;
+        this->BoundaryFaces.push_back(side->Face);
+      }
     }
   }
+  this->NumberOfJumps = this->BoundaryFaces.size() - entries;
 }
 
 } // namespace nephoscope

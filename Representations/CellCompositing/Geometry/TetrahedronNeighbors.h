@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A mesh of tetrahedra as a ray walks through it (in the manner of AmanDemirciGudukbay2021): 20 bytes per tetrahedron here, 36 on the GPU.
+ * A mesh of tetrahedra as a ray walks through it (in the manner of AmanDemirciGudukbay2021): 16 bytes per tetrahedron on the GPU, and 20 here until they are
+ * there.
  *
  * A walk has three vertices of the tetrahedron that it enters; the exclusive-or of all four gives the fourth. The neighbours stand
  * in the order of the vertices that they do not have, by ascending number, so that which of them lies ahead follows from the number
- * of the vertex left behind. Faces without a neighbour are the boundary, where rays enter.
+ * of the vertex left behind. A walk knows one of them, where it comes from; exclusive-ors of two neighbours give the others. Faces without a
+ * neighbour are the boundary, where rays enter.
  *
  * Coincident points (CoincidentPoints.h) with equal values become one point. Where values jump between coincident points, each
  * side keeps its own values and its own face: a ray that leaves through one face continues from the other.
@@ -30,7 +32,8 @@ struct TetrahedronNeighbors
   enum : std::int32_t
   {
     None = -1,
-    Jump = -2 ///< minus n: the ray goes on from boundary face n
+    Jump =
+      -2 ///< minus n: the ray goes on from boundary face n or n + 1, that of the other tetrahedron
   };
   /** Four per tetrahedron: a tetrahedron, None, or Jump - n. Six per hexahedron: HexahedronNeighbors.h. */
   std::vector<std::int32_t> Neighbors;
@@ -38,7 +41,7 @@ struct TetrahedronNeighbors
   /**
    * Three vertices, seen counterclockwise from outside, and where a walk begins: the tetrahedron; eight times the hexahedron plus its face; or
    * for a divided hexahedron four times (eight times its number plus the odd corner, the first of the three) plus the axis of the face.
-   * Faces where rays enter come first, then those where values jump. Faces without extent are left out: lower than the rounding of their
+   * Faces where rays enter come first, then those where values jump, the two sides of each one after the other. Faces without extent are left out: lower than the rounding of their
    * coordinates, and a million times longer.
    */
   std::vector<std::array<std::int32_t, 4>> BoundaryFaces;
@@ -46,6 +49,8 @@ struct TetrahedronNeighbors
 
   /** The number that stands for each point; empty where none is at the place of another. */
   std::vector<std::int32_t> MergedPoints;
+  /** The first point at the place of each, whatever the values are; empty where none is at the place of another. */
+  std::vector<std::int32_t> Places;
   bool DependOnValues =
     false; ///< there are points at the same place, which are merged where their values are equal
 
@@ -64,15 +69,27 @@ struct TetrahedronNeighbors
     const std::vector<float>& third);
   /** The same, whatever the values are. */
   void MergePlaces(const std::vector<std::int32_t>& places);
-  /** Neighbours, each with the vertex that it has behind the face, so that a step of a walk needs no other number. */
-  std::vector<std::array<std::int32_t, 2>> WithNextVertices(const CellGeometry& geometry) const;
+  /** What the GPU has of each tetrahedron (NeighborTopology.glsl): the exclusive-or of its vertices, and of its last neighbour with the others. */
+  std::vector<std::array<std::int32_t, 4>> Links() const;
+  /** The face from which a ray goes on that leaves a tetrahedron through one of its faces; `link`: Jump - n. */
+  const std::array<std::int32_t, 4>& FaceAcross(std::int32_t link, std::int32_t tetrahedron) const
+  {
+    const std::size_t first = static_cast<std::size_t>(Jump - link);
+    return this->BoundaryFaces[this->BoundaryFaces[first][3] == tetrahedron ? first + 1 : first];
+  }
+  /** Frees the lists of neighbours, which nothing needs any more when the GPU has them. */
+  void ReleaseNeighbors();
+  /** One of the neighbours of a tetrahedron, and the rank of the vertex across from it. Tests all tetrahedra and reads no list of neighbours. */
+  std::array<std::int32_t, 2> FindOneNeighbor(
+    const CellGeometry& geometry, std::size_t tetrahedron) const;
 
 private:
   void FindNeighbors(const CellGeometry& geometry, const FaceNeighbors& faces);
   void ListBoundary(const CellGeometry& geometry);
   Tetrahedron MergedVertices(const CellGeometry& geometry, std::size_t tetrahedron) const;
-  std::int32_t FindNeighbor(const CellGeometry& geometry, const FaceNeighbors& faces,
-    std::size_t tetrahedron, const Tetrahedron& vertices, int face) const;
+  std::int32_t Linked(const CellGeometry& geometry, const Tetrahedron& vertices,
+    std::int32_t neighbor, int face) const;
+  std::int32_t FindJump(const Tetrahedron& t, std::int32_t tetrahedron, int face) const;
 };
 
 } // namespace nephoscope

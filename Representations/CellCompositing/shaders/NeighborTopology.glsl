@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The tetrahedra of any mesh (TetrahedronNeighbors.h): their neighbours, and the four vertex numbers as one exclusive-or, which
-// gives the fourth vertex when three are known.
+// The tetrahedra of any mesh (TetrahedronNeighbors.h), 16 bytes each: the exclusive-or of the four vertex numbers, which gives the fourth vertex when
+// three are known, and that of the neighbour across from the last vertex in ascending order with each of the three others, which gives all
+// neighbours when one is known: the one where the walk comes from. A neighbour is a tetrahedron, -1 for none or -2 - n for boundary face n or n + 1.
 // Constants: hasJumps.
-// Four per tetrahedron, across from its vertices in ascending order: tetrahedron, -1 for none or -2 - n for boundary face n; its next vertex. Two in
-// an element: buffer textures have a limited number of them.
-uniform IntegerArray neighbors;
-uniform IntegerArray vertexSums; // exclusive-or of the vertex numbers
+uniform IntegerArray tetrahedronLinks;
 
-int cellOf = 0; // the present tetrahedron
+int cellOf = 0;          // the present tetrahedron
+ivec4 links = ivec4(0);  // of it
+int lastNeighbor = 0;    // across from its last vertex
+int cameThrough = -1;    // what a boundary face has across from it, through which the walk is about to come
 const bool otherPoints = false;
 
 void keepTopology() {}
@@ -18,9 +19,27 @@ int cellNumber()
   return cellOf;
 }
 
-int fourthVertex(ivec3 face)
+// Position of a vertex among those of the present tetrahedron in ascending order; `face`: the three others.
+int rankOf(int vertex, ivec3 face)
 {
-  return element(vertexSums, cellOf).r ^ face.x ^ face.y ^ face.z;
+  ivec3 smaller = ivec3(lessThan(face, ivec3(vertex)));
+  return smaller.x + smaller.y + smaller.z;
+}
+
+// Leads from the last neighbour to that of another rank, and back.
+int linkOf(int rank)
+{
+  return rank == 0 ? links.y : rank == 1 ? links.z : rank == 2 ? links.w : 0;
+}
+
+// Goes into a tetrahedron through a face, from the neighbour there; returns the vertex that is not in the face.
+int enter(int tetrahedron, int from, ivec3 face)
+{
+  cellOf = tetrahedron;
+  links = element(tetrahedronLinks, tetrahedron);
+  int ahead = links.x ^ face.x ^ face.y ^ face.z;
+  lastNeighbor = from ^ linkOf(rankOf(ahead, face));
+  return ahead;
 }
 
 int pointOf(int vertex)
@@ -32,28 +51,32 @@ int pointOf(int vertex)
 int enterTetrahedron(ivec4 boundaryFace, out ivec3 face)
 {
   face = boundaryFace.xyz;
-  cellOf = boundaryFace.w;
-  return fourthVertex(face);
+  int across = cameThrough;
+  cameThrough = -1;
+  return enter(boundaryFace.w, across, face);
 }
 
+// A tetrahedron is given by its number, and one of its neighbours with the rank of the vertex across from it.
 void enterPlace(ivec4 place)
 {
   cellOf = place.x;
+  links = element(tetrahedronLinks, cellOf);
+  lastNeighbor = place.y ^ linkOf(place.z);
 }
 
 bool crossFace(inout ivec3 face, int left, out int next)
 {
-  ivec3 smaller = ivec3(lessThan(face, ivec3(left)));
-  int number = smaller.x + smaller.y + smaller.z;
-  ivec4 pair = element(neighbors, 2 * cellOf + (number >> 1));
-  ivec2 across = (number & 1) == 0 ? pair.rg : pair.ba;
-  int neighbor = across.x;
-  next = across.y;
+  int neighbor = lastNeighbor ^ linkOf(rankOf(left, face));
   if (neighbor < 0)
   {
     jumpFace = hasJumps ? -2 - neighbor : -1; // -1: there is nothing across
+    if (hasJumps && jumpFace >= 0)
+    {
+      cameThrough = neighbor;
+      jumpFace += element(boundaryFaces, jumpFace).w == cellOf ? 1 : 0; // the face of the other side
+    }
     return false;
   }
-  cellOf = neighbor;
+  next = enter(neighbor, cellOf, face);
   return true;
 }

@@ -207,9 +207,11 @@ TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
       {
         continue;
       }
-      const std::size_t number = static_cast<std::size_t>(TetrahedronNeighbors::Jump - stored);
-      ASSERT_GE(number, numberOfEntries(neighbors));
-      ASSERT_LT(number, neighbors.BoundaryFaces.size());
+      const std::size_t first = static_cast<std::size_t>(TetrahedronNeighbors::Jump - stored);
+      ASSERT_GE(first, numberOfEntries(neighbors));
+      ASSERT_LT(first + 1, neighbors.BoundaryFaces.size());
+      const BoundaryFace& across = neighbors.FaceAcross(stored, static_cast<std::int32_t>(i));
+      const std::size_t number = static_cast<std::size_t>(&across - neighbors.BoundaryFaces.data());
       reached.insert(number);
       // The face of the other side: the three vertices of this tetrahedron but the k-th, at their places.
       Tetrahedron t = geometry.Tetrahedra[i];
@@ -220,15 +222,52 @@ TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
       for (std::size_t v = 0; v < 3; ++v)
       {
         own.insert(geometry.Position(t[(k + 1 + v) % 4]));
-        other.insert(geometry.Position(neighbors.BoundaryFaces[number][v]));
+        other.insert(geometry.Position(across[v]));
       }
       EXPECT_EQ(own, other);
-      EXPECT_NE(neighbors.BoundaryFaces[number][3] <
-          static_cast<std::int32_t>(geometry.Tetrahedra.size() / 2),
+      EXPECT_NE(across[3] < static_cast<std::int32_t>(geometry.Tetrahedra.size() / 2),
         i < geometry.Tetrahedra.size() / 2);
     }
   }
   EXPECT_EQ(reached.size(), innerFaces);
+}
+
+TEST(TetrahedronNeighbors, OneNeighborAndTheLinksGiveAll)
+{
+  const auto jumping = twoBoxes(0);
+  const vtkIdType half = jumping->GetNumberOfPoints() / 2;
+  BlockMesh folded; // the second box lies within the first, and shares a face with it
+  folded.AddBox(1, 1, 1, { { 0, 0, 0 } }, { { 1, 1, 1 } });
+  folded.AddBox(1, 1, 1, { { 0, 0, 0 } }, { { 1, 1, 0.5 } });
+  BlockMesh copies; // three and four tetrahedra at one face
+  for (int copy = 0; copy < 4; ++copy)
+  {
+    copies.AddBox(1, 1, 1, { { 0, 0, 0 } }, { { 1, 1, 1 } });
+  }
+  const auto jumps = [half](vtkIdType i, const double* x) { return x[1] + (i < half ? 0 : 5); };
+  for (const CellGeometry& geometry :
+    { geometryOf(globe<float>(true), same), geometryOf(globe<double>(false), same),
+      geometryOf(jumping, same), geometryOf(jumping, jumps), geometryOf(folded.Get(), same),
+      geometryOf(copies.Get(), same) })
+  {
+    const TetrahedronNeighbors neighbors = neighborsOf(geometry);
+    const auto links = neighbors.Links();
+    TetrahedronNeighbors released = neighbors;
+    released.ReleaseNeighbors();
+    EXPECT_TRUE(released.Neighbors.empty() && released.VertexSums.empty());
+    for (std::size_t i = 0; i < links.size(); ++i)
+    {
+      const std::int32_t* n = &neighbors.Neighbors[4 * i];
+      const auto known = released.FindOneNeighbor(geometry, i);
+      ASSERT_EQ(known[0], n[known[1]]) << "of tetrahedron " << i;
+      const auto linkOf = [&](int rank) { return rank < 3 ? links[i][std::size_t(rank) + 1] : 0; };
+      const std::int32_t last = known[0] ^ linkOf(known[1]);
+      for (int rank = 0; rank < 4; ++rank)
+      {
+        ASSERT_EQ(last ^ linkOf(rank), n[rank]) << "of tetrahedron " << i;
+      }
+    }
+  }
 }
 
 TEST(TetrahedronNeighbors, EqualValuesMeetWhereTheFirstDiffers)
