@@ -208,6 +208,11 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
   {
     return error;
   }
+  this->Internals->Window.Enter(window);
+  if (this->Internals->Uploaded < 0)
+  {
+    scene.RenewUploaded();
+  }
   auto view = std::make_unique<nephoscope::ViewState>(renderer, volume, scene.GetGeometry().Center);
   bool ready = true;
   withThreads([&]() {
@@ -325,8 +330,7 @@ void vtkCellCompositingMapper::WarnAboutUnprojected(vtkIdType count)
 std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
 {
   vtkInternals& self = *this->Internals;
-  self.Window.Enter(window);
-  const CellScene& scene = self.Scene;
+  CellScene& scene = self.Scene;
   const CellScene::Versions& now = scene.GetVersions();
   const auto isNew = [before = self.Uploaded](std::int64_t version) { return version > before; };
   std::string error;
@@ -365,6 +369,10 @@ std::string vtkCellCompositingMapper::Upload(vtkOpenGLRenderWindow* window)
     error = self.Pass.UploadDrawn(window, scene);
   }
   self.Uploaded = error.empty() ? now.Latest() : -1;
+  if (error.empty())
+  {
+    scene.ReleaseUploaded();
+  }
   return error;
 }
 

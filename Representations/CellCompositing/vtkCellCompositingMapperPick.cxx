@@ -141,7 +141,8 @@ bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
   vtkDataSet* data = this->GetDataSetInput();
   const nephoscope::CellScene& scene = this->Internals->Scene;
   const CellGeometry& geometry = scene.GetGeometry();
-  if (!volume || !data || !renderer->GetRenderWindow() || !this->Internals->View)
+  if (!volume || !data || !renderer->GetRenderWindow() || !this->Internals->View ||
+    !this->Internals->Scene.RefreshGeometry())
   {
     vtkErrorMacro("Nothing can be picked: add the volume to this renderer, and render first.");
     return false;

@@ -57,7 +57,7 @@ bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
   this->Form = form;
   const bool ofColor = this->ColorValues.Changes(data, scalars);
   const bool ofOpacity = this->OpacityValues.Changes(data, opacity);
-  if (!mesh && !layered && !formed &&
+  if (!mesh && !layered && !formed && this->Geometry.Tetrahedra.Follow(data) &&
     ((!ofColor && !ofOpacity) || this->UpdateValues(data, scalars, opacity, ofColor, ofOpacity)))
   {
     return false;
@@ -104,6 +104,10 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
   const std::int64_t field = ofOther ? this->Contours.FieldVersion : 0;
   const std::vector<float> none;
   const std::vector<float>& contoured = ofOther ? this->Contours.Scalars : none;
+  if (this->Polygons.IsUsed())
+  {
+    this->RenewUploaded(); // polygons are found through them
+  }
   if (this->Current.Topology > this->Current.Geometry && method == this->CurrentMethod &&
     field == this->FieldOfTopology)
   {
@@ -112,6 +116,7 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
   this->CurrentMethod = method;
   this->FieldOfTopology = field;
   this->Current.Topology = 0;
+  this->Released = false;
   this->Neighbors.Clear();
   this->Drawn.clear();
   this->Order = ProjectionOrder();
@@ -134,6 +139,16 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
   }
   this->Change(this->Current.Topology);
   return true;
+}
+
+void CellScene::ReleaseUploaded()
+{
+  if (this->CurrentMethod == Method::Rays && !this->Polygons.IsUsed())
+  {
+    this->Neighbors.ReleaseNeighbors();
+    std::vector<std::uint8_t>().swap(this->Visible);
+    this->Released = true;
+  }
 }
 
 void CellScene::UpdateTransferFunction(vtkVolumeProperty* property)
@@ -294,15 +309,17 @@ void CellScene::UpdateDrawn()
 {
   const Versions& now = this->Current;
   const bool grid = !this->Geometry.Grid.IsEmpty();
-  if (this->VisibleVersion <
-    std::max({ now.Geometry, now.Colors, now.Opacities, now.Transfer, now.Contours, now.Polygons }))
+  const bool projected = this->CurrentMethod == Method::Projection;
+  const bool isMissing = projected && this->Visible.size() < this->Geometry.Tetrahedra.size();
+  if (isMissing ||
+    this->VisibleVersion < std::max({ now.Geometry, now.Colors, now.Opacities, now.Transfer,
+                             now.Contours, now.Polygons }))
   {
     grid                                 ? this->FindVisibleOfGrid()
       : this->Geometry.Hexahedra.empty() ? this->FindVisible()
                                          : this->FindVisibleHexahedra();
     this->Change(this->VisibleVersion);
   }
-  const bool projected = this->CurrentMethod == Method::Projection;
   const std::int64_t sources = std::max({ now.Topology, now.Transfer, projected ? now.Order : 0,
     projected || grid ? this->VisibleVersion : 0 });
   if (now.Drawn < sources) // for rays: where they enter, and what they pass unseen
@@ -323,33 +340,44 @@ void CellScene::ListDrawn()
     [this](std::int32_t number) { return this->Visible[static_cast<std::size_t>(number)] != 0; });
 }
 
-void CellScene::FindVisible()
+bool CellScene::IsVisible(std::size_t tetrahedron) const
 {
   const CellGeometry& geometry = this->Geometry;
   const bool separate = geometry.HasOpacityScalars;
   const bool onCells = separate ? geometry.OpacityOnCells : !geometry.CellScalars.empty();
-  const std::vector<float>& cellValues = separate ? geometry.OpacityScalars : geometry.CellScalars;
-  const auto pointValue = [&](std::int32_t point) {
-    const std::size_t i = static_cast<std::size_t>(point);
-    return separate ? geometry.OpacityScalars[i] : geometry.Points[i].Scalar;
-  };
-  this->Visible.resize(geometry.Tetrahedra.size());
-  vtkSMPTools::For(
-    0, static_cast<vtkIdType>(this->Visible.size()), [&](vtkIdType begin, vtkIdType end) {
-      for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+  const std::vector<float>& values = separate ? geometry.OpacityScalars : geometry.CellScalars;
+  const Tetrahedron t = geometry.Tetrahedra[tetrahedron];
+  std::array<float, 4> s;
+  std::transform(t.begin(), t.end(), s.begin(), [&](std::int32_t p) {
+    const std::size_t point = static_cast<std::size_t>(p);
+    return onCells ? values[tetrahedron] : separate ? values[point] : geometry.Points[point].Scalar;
+  });
+  const auto range = std::minmax_element(s.begin(), s.end());
+  return !this->IsTransparent(
+    tetrahedron, { { t[0], t[1], t[2], t[3] } }, *range.first, *range.second);
+}
+
+// Rays need their number only.
+void CellScene::FindVisible()
+{
+  const bool listed = this->CurrentMethod == Method::Projection;
+  const std::size_t n = this->Geometry.Tetrahedra.size();
+  this->Visible = std::vector<std::uint8_t>(listed ? n : 0);
+  std::atomic<std::int64_t> visible(0);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(n), [&](vtkIdType begin, vtkIdType end) {
+    std::int64_t count = 0;
+    for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+    {
+      const bool seen = this->IsVisible(i);
+      count += seen;
+      if (listed)
       {
-        std::array<float, 4> s;
-        for (std::size_t k = 0; k < 4; ++k)
-        {
-          s[k] = onCells ? cellValues[i] : pointValue(geometry.Tetrahedra[i][k]);
-        }
-        const auto range = std::minmax_element(s.begin(), s.end());
-        const Tetrahedron& t = geometry.Tetrahedra[i];
-        this->Visible[i] =
-          !this->IsTransparent(i, { { t[0], t[1], t[2], t[3] } }, *range.first, *range.second);
+        this->Visible[i] = seen;
       }
-    });
-  this->NumberOfVisible = std::count(this->Visible.begin(), this->Visible.end(), std::uint8_t(1));
+    }
+    visible += count;
+  });
+  this->NumberOfVisible = visible;
 }
 
 void CellScene::FindVisibleHexahedra()

@@ -83,6 +83,8 @@ public:
   void Clear();
 
   const CellGeometry& GetGeometry() const { return this->Geometry; }
+  /** To be called before the geometry is read between renders: false if the input has lost cells that it reads from there. */
+  bool RefreshGeometry() { return this->Geometry.Tetrahedra.Refresh(); }
   /** Colour and opacity; colour alone where the geometry has opacity scalars. */
   const TransferFunctionTable& GetTransferFunction() const { return this->Transfers[0]; }
   /** Opacity, read by the opacity scalars of the geometry where it has them. */
@@ -116,6 +118,12 @@ public:
     return this->TablesOfTetrahedra;
   }
   bool ContoursMakeLayers() const { return this->LayersOfContours; }
+  /**
+   * Frees what nothing reads after it has been uploaded: the lists of neighbours, unless there are polygons. RenewUploaded() lets UpdateMethod
+   * make them again, for another upload.
+   */
+  void ReleaseUploaded();
+  void RenewUploaded() { this->Current.Topology = this->Released ? 0 : this->Current.Topology; }
   /** Null for projection. */
   const TetrahedronNeighbors* GetNeighbors() const
   {
@@ -146,6 +154,7 @@ private:
     const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
   void ListDrawn();
   void FindVisible();
+  bool IsVisible(std::size_t tetrahedron) const;
   void FindVisibleOfGrid();
   void FindVisibleHexahedra();
   int CountVisibleParts(std::size_t cell) const;
@@ -173,7 +182,8 @@ private:
   bool ColorIsOne = false;
   FaceNeighbors Faces; // until rays have their own neighbours, or for the topological order
   ProjectionOrder Order;
-  std::vector<std::uint8_t> Visible; // per tetrahedron: not fully transparent
+  bool Released = false;             // the lists of neighbours are not there any more
+  std::vector<std::uint8_t> Visible; // for projection, per tetrahedron: not fully transparent
   std::vector<std::int32_t> Drawn;
   Versions Current;
   std::int64_t LastVersion = 0;

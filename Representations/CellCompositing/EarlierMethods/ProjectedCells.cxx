@@ -50,8 +50,8 @@ std::string ProjectedCells::UploadGeometry(
   const std::vector<float> table = makeOpacityTable();
   const std::string error =
     this->AlphaTable.Upload(window, table.data(), table.size(), 1, VTK_FLOAT);
-  return error.empty() ? this->Tetrahedra.Upload(window, geometry.Tetrahedra.data(),
-                           geometry.Tetrahedra.size(), 4, VTK_INT)
+  const std::vector<Tetrahedron> list = geometry.Tetrahedra.Copy();
+  return error.empty() ? this->Tetrahedra.Upload(window, list.data(), list.size(), 4, VTK_INT)
                        : error;
 }
 

@@ -151,13 +151,20 @@ bool CellGeometry::Decompose(vtkDataSet* data, const ScalarSelection& scalars,
   const bool oneEach =
     std::all_of(first.begin() + 1, first.end(), [](std::int64_t count) { return count == 1; });
   std::partial_sum(first.begin(), first.end(), first.begin()); // PASS 2
-  this->Tetrahedra.resize(static_cast<std::size_t>(first.back()));
+  this->Tetrahedra.Resize(static_cast<std::size_t>(first.back()));
   this->Cells.resize(oneEach ? 0 : this->Tetrahedra.size());
   this->Layers.resize(this->LayerArray ? this->Tetrahedra.size() : 0);
-  return this->FillTetrahedra(data, scalars, opacity, first, progress.Part(0.5, 0.9)) && // PASS 3
-    (!scalars.OnCells ||
-      this->CopyCellValues(
-        scalars, this->ScalarRange, this->CellScalars, progress.Part(0.9, 0.95))) &&
+  if (!this->FillTetrahedra(data, scalars, opacity, first, progress.Part(0.5, 0.9))) // PASS 3
+  {
+    return false;
+  }
+  if (oneEach)
+  {
+    this->Tetrahedra.ReadFrom(data);
+  }
+  return (!scalars.OnCells ||
+           this->CopyCellValues(
+             scalars, this->ScalarRange, this->CellScalars, progress.Part(0.9, 0.95))) &&
     (!opacity.OnCells ||
       this->CopyCellValues(
         opacity, this->OpacityRange, this->OpacityScalars, progress.Part(0.95, 1)));
@@ -239,7 +246,7 @@ bool CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scala
         {
           this->Layers[next] = static_cast<std::int32_t>(this->LayerArray->GetComponent(cell, 0));
         }
-        this->Tetrahedra[next++] = t;
+        this->Tetrahedra.Set(next++, t);
       });
     }
   });

@@ -15,6 +15,7 @@
 #include "HexahedronCells.h"
 #include "ProgressLoop.h"
 #include "ScalarSelection.h"
+#include "TetrahedronList.h"
 #include "TetrahedronRay.h"
 
 #include "vtkSmartPointer.h"
@@ -30,8 +31,6 @@ class vtkDataSet;
 
 namespace nephoscope
 {
-
-using Tetrahedron = std::array<std::int32_t, 4>;
 
 class CellGeometry
 {
@@ -73,7 +72,7 @@ public:
 
   bool Stopped = false; ///< the last Build was told to stop
   std::vector<Point> Points;
-  std::vector<Tetrahedron> Tetrahedra;
+  TetrahedronList Tetrahedra;
   std::vector<Hexahedron> Hexahedra; ///< in place of the list of tetrahedra unless it is empty
   /** Each hexahedron stands for its five tetrahedra (chessboardPart), not for a field of its own. */
   bool DividesHexahedra = false;

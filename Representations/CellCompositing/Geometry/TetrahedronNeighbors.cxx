@@ -191,8 +191,10 @@ std::vector<std::array<std::int32_t, 4>> TetrahedronNeighbors::Links() const
 
 void TetrahedronNeighbors::ReleaseNeighbors()
 {
-  this->Neighbors = {};
-  this->VertexSums = {};
+  for (std::vector<std::int32_t>* list : { &this->Neighbors, &this->VertexSums })
+  {
+    std::vector<std::int32_t>().swap(*list); // clear() and = {} keep the memory
+  }
 }
 
 std::array<std::int32_t, 2> TetrahedronNeighbors::FindOneNeighbor(

@@ -6,6 +6,7 @@
 #include "TestRandom.h"
 #include "ThreadScope.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellType.h"
 #include "vtkCellTypeSource.h"
 #include "vtkGenericCell.h"
@@ -35,7 +36,7 @@ void expectSame(const CellGeometry& a, const CellGeometry& b)
   {
     ASSERT_EQ(std::memcmp(&a.Points[i], &b.Points[i], sizeof(CellGeometry::Point)), 0);
   }
-  EXPECT_EQ(a.Tetrahedra, b.Tetrahedra);
+  EXPECT_EQ(a.Tetrahedra.Copy(), b.Tetrahedra.Copy());
   EXPECT_EQ(a.CellScalars, b.CellScalars);
   EXPECT_EQ(a.NumberOfFlatTetrahedra, b.NumberOfFlatTetrahedra);
   EXPECT_EQ(a.NumberOfInvalidCells, b.NumberOfInvalidCells);
@@ -89,7 +90,7 @@ TEST(CellGeometry, Polyhedra)
   polyhedra->InsertNextCell(VTK_POLYHEDRON, stream);
   const CellGeometry geometry = buildNumbered(polyhedra);
   EXPECT_NEAR(volumeOf(geometry), 1, 1e-6);
-  EXPECT_EQ(geometry.Tetrahedra, buildNumbered(grid).Tetrahedra)
+  EXPECT_EQ(geometry.Tetrahedra.Copy(), buildNumbered(grid).Tetrahedra.Copy())
     << "a cube is cut the same whatever its cell type";
 }
 
@@ -177,7 +178,7 @@ TEST(CellGeometry, PoleOfAShell)
   // Inscribed polyhedra: smaller than the shell between spheres by about (pi/48)^2.
   const double exact = 4.0 / 3 * std::acos(-1.0) * (1.2 * 1.2 * 1.2 - 1);
   EXPECT_NEAR(volumeOf(geometry), exact, 0.01 * exact);
-  for (const Tetrahedron& t : geometry.Tetrahedra)
+  for (const Tetrahedron& t : geometry.Tetrahedra.Copy())
   {
     for (const std::int32_t p : t)
     {
@@ -236,6 +237,49 @@ TEST(CellGeometry, Empty)
   geometry = buildNumbered(flat);
   EXPECT_TRUE(geometry.Tetrahedra.empty());
   EXPECT_EQ(geometry.NumberOfUnsupportedCells, 9);
+}
+
+// Tetrahedra of the input are read from there, and nothing else is.
+TEST(CellGeometry, TetrahedraOfTheInput)
+{
+  auto grid = unitCubeOf(VTK_TETRA);
+  const CellGeometry whole = buildNumbered(grid);
+  EXPECT_TRUE(whole.Tetrahedra.ReadsInput());
+  EXPECT_TRUE(whole.Cells.empty());
+  EXPECT_NEAR(volumeOf(whole), 1, 1e-6);
+  const std::vector<Tetrahedron> all = whole.Tetrahedra.Copy();
+  grid->GetCells()->ConvertTo32BitStorage();
+  const CellGeometry narrow = buildNumbered(grid);
+  EXPECT_TRUE(narrow.Tetrahedra.ReadsInput());
+  EXPECT_EQ(narrow.Tetrahedra.Copy(), all);
+  hideCell(grid, 2);
+  const CellGeometry hidden = buildNumbered(grid);
+  EXPECT_FALSE(hidden.Tetrahedra.ReadsInput()) << "they have other numbers than the cells";
+  EXPECT_EQ(hidden.Tetrahedra.size(), 4u);
+  EXPECT_FALSE(buildNumbered(unitCubeOf(VTK_WEDGE)).Tetrahedra.ReadsInput());
+  EXPECT_FALSE(buildNumbered(makeLattice(2)).Tetrahedra.ReadsInput());
+}
+
+TEST(CellGeometry, TetrahedraOfAnInputThatChanges)
+{
+  auto grid = unitCubeOf(VTK_TETRA);
+  CellGeometry geometry = buildNumbered(grid);
+  const std::vector<Tetrahedron> all = geometry.Tetrahedra.Copy();
+  const auto other = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  other->DeepCopy(grid);
+  EXPECT_TRUE(geometry.Tetrahedra.Follow(other));
+  grid = nullptr;
+  EXPECT_EQ(geometry.Tetrahedra.Copy(), all) << "read from the copy";
+  vtkDataArray* ids = other->GetCells()->GetConnectivityArray();
+  ids->SetComponent(3, 0, 1e6);
+  EXPECT_EQ(geometry.Tetrahedra[0][3], 0) << "there is no such point";
+  ids->SetComponent(3, 0, all[0][3]);
+  ids->Resize(1000);
+  EXPECT_TRUE(geometry.Tetrahedra.Refresh());
+  EXPECT_EQ(geometry.Tetrahedra.Copy(), all);
+  ids->Resize(4);
+  EXPECT_FALSE(geometry.Tetrahedra.Refresh());
+  EXPECT_TRUE(geometry.Tetrahedra.empty());
 }
 
 // Cells are cut by places, not by numbers: blocks and ranks that number their points differently fit together.

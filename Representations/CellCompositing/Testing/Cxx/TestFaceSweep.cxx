@@ -194,7 +194,7 @@ void sortExactly(TestMesh& mesh, const Vector4& eye)
     }
     sorted.push_back(renumbered);
   }
-  mesh.Geometry.Tetrahedra.swap(sorted);
+  mesh.Geometry.Tetrahedra = TetrahedronList(sorted);
   mesh.Faces.Build(mesh.Geometry);
 }
 

@@ -176,9 +176,9 @@ TEST(ProjectionOrder, HexahedraAreDividedAsInAGrid)
     return tetrahedra;
   };
   auto grid = makeShell(24, 12, 3, 80, 1, 1.3);
-  const auto ofGrid = sorted(buildGeometry(grid).Tetrahedra);
+  const auto ofGrid = sorted(buildGeometry(grid).Tetrahedra.Copy());
   EXPECT_EQ(ofGrid.size(), 24u * 12 * 3 * 5);
-  EXPECT_EQ(sorted(buildGeometry(asUnstructured(grid)).Tetrahedra), ofGrid);
+  EXPECT_EQ(sorted(buildGeometry(asUnstructured(grid)).Tetrahedra.Copy()), ofGrid);
 }
 
 TEST(ProjectionOrder, Shell)

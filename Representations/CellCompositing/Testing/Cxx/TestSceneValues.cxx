@@ -72,7 +72,7 @@ protected:
     CellScene fresh;
     this->Update(fresh, colors, opacities, method);
     const CellGeometry &a = this->Scene.GetGeometry(), &b = fresh.GetGeometry();
-    EXPECT_EQ(a.Tetrahedra, b.Tetrahedra);
+    EXPECT_EQ(a.Tetrahedra.Copy(), b.Tetrahedra.Copy());
     EXPECT_EQ(a.CellScalars, b.CellScalars);
     EXPECT_EQ(a.OpacityScalars, b.OpacityScalars);
     EXPECT_EQ(a.HasOpacityScalars, b.HasOpacityScalars);
@@ -254,4 +254,22 @@ TEST_F(SceneOfPuffs, TheMethodMayChange)
   EXPECT_NE(second.Topology, third.Topology);
   EXPECT_NE(second.Drawn, third.Drawn);
   EXPECT_EQ(this->Scene.GetDrawn(), drawn);
+}
+
+TEST_F(SceneOfPuffs, WhatWasUploadedIsMadeAgainOnRequest)
+{
+  const ScalarSelection colors = { addCellValues(this->Data, 0.17), true, -1 };
+  const auto rays = CellScene::Method::Rays;
+  const CellScene::Versions first = this->Update(this->Scene, colors, {}, rays);
+  this->Scene.ReleaseUploaded();
+  EXPECT_EQ(this->Scene.GetNeighbors()->Neighbors.capacity(), 0u);
+  EXPECT_EQ(this->Scene.GetNeighbors()->VertexSums.capacity(), 0u);
+  EXPECT_EQ(this->Update(this->Scene, colors, {}, rays).Latest(), first.Latest());
+  EXPECT_TRUE(this->Scene.GetNeighbors()->Neighbors.empty()) << "nobody needs them";
+  this->Scene.RenewUploaded();
+  EXPECT_NE(this->Update(this->Scene, colors, {}, rays).Topology, first.Topology);
+  this->ExpectAsNew(colors, {}, rays);
+  this->Scene.ReleaseUploaded();
+  this->Update(this->Scene, colors, {});
+  this->ExpectAsNew(colors, {});
 }
