@@ -91,7 +91,7 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
   }
   else
   {
-    upload(this->Neighbors, neighbors.Links(), 4, VTK_INT);
+    upload(this->Neighbors, neighbors.Links(geometry), 4, VTK_INT);
     this->Hexahedra.Release(window);
   }
   upload(this->HiddenCells, geometry.HiddenCells, 1, VTK_UNSIGNED_CHAR);

@@ -120,11 +120,6 @@ EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors
     result.Place[3] =
       number % ChessboardGrid::TetrahedraPerCell == 0 ? -1 : std::int32_t(vertices[0]);
   }
-  if (geometry.Grid.IsEmpty() && geometry.Hexahedra.empty())
-  {
-    const auto neighbor = neighbors.FindOneNeighbor(geometry, std::size_t(number));
-    std::copy(neighbor.begin(), neighbor.end(), result.Place.begin() + 1);
-  }
   result.Hexahedron = result.Place;
   return result;
 }
@@ -315,6 +310,23 @@ std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
   }
   return result;
 }
+
+/** A walk through listed tetrahedra starts with a neighbour that it knows. */
+void findNeighbors(
+  const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, EyeTetrahedron& eye)
+{
+  std::vector<std::size_t> numbers = { std::size_t(eye.Place[0]) };
+  for (const EyeTetrahedron& other : eye.Overlapping)
+  {
+    numbers.push_back(std::size_t(other.Place[0]));
+  }
+  const auto found = neighbors.FindOneNeighbor(geometry, numbers);
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    EyeTetrahedron& start = i == 0 ? eye : eye.Overlapping[i - 1];
+    std::copy(found[i].begin(), found[i].end(), start.Place.begin() + 1);
+  }
+}
 }
 
 EyeTetrahedron findEyeTetrahedron(
@@ -341,6 +353,10 @@ EyeTetrahedron findEyeTetrahedron(
   if (geometry.Grid.IsEmpty())
   {
     result.Overlapping = findOverlapping(geometry, neighbors, found.Number, found.Start.Position);
+  }
+  if (geometry.Grid.IsEmpty() && geometry.Hexahedra.empty())
+  {
+    findNeighbors(geometry, neighbors, result);
   }
   return result;
 }

@@ -12,7 +12,6 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
-#include <utility>
 
 namespace nephoscope
 {
@@ -63,17 +62,17 @@ Vector3 vertexAcross(const CellGeometry& geometry, const Tetrahedron& other,
 }
 
 /** What the rounding of these coordinates may be. */
-double roundingOf(const std::array<Vector3, 4>& p, const Vector3& q)
+double roundingOf(const std::array<Vector3, 5>& points)
 {
   double largest = 0;
-  for (const Vector3& x : { p[0], p[1], p[2], p[3], q })
+  for (const Vector3& x : points)
   {
     largest = std::max({ largest, std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
   }
   return largest * std::numeric_limits<float>::epsilon();
 }
 
-/** Whether both tetrahedra of a face, the second one perhaps None, lie on the same side of it. */
+/** Whether both tetrahedra of a face, the second one perhaps None, lie on the same side of it. Either of them gives the same answer. */
 bool isFolded(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
   std::size_t tetrahedron, int face, std::int32_t other)
 {
@@ -81,60 +80,83 @@ bool isFolded(const CellGeometry& geometry, const std::vector<std::int32_t>& pla
   {
     return false;
   }
-  const std::array<Vector3, 4> p = geometry.Vertices(tetrahedron);
-  const auto& f = tetrahedronFaces[face];
-  const Vector3 far = vertexAcross(geometry, geometry.Tetrahedra[static_cast<std::size_t>(other)],
-    sortedPlaces(geometry.Tetrahedra[tetrahedron], face, places), places);
-  const double error = roundingOf(p, far);
+  const Tetrahedron t = geometry.Tetrahedra[tetrahedron];
+  const auto corners = sortedPlaces(t, face, places);
+  const Vector3 a = geometry.Position(corners[0]), b = geometry.Position(corners[1]),
+                c = geometry.Position(corners[2]);
+  const Vector3 near = geometry.Position(t[static_cast<std::size_t>(face)]);
+  const Vector3 far =
+    vertexAcross(geometry, geometry.Tetrahedra[static_cast<std::size_t>(other)], corners, places);
+  const double error = roundingOf({ { a, b, c, near, far } });
   const auto side = [&](const Vector3& x) {
-    return planeSideWithin(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1.0 } }, error);
+    return planeSideWithin(a, b, c, { { x[0], x[1], x[2], 1.0 } }, error);
   };
-  const int near = side(p[static_cast<std::size_t>(face)]);
-  return near != 0 && near == side(far);
+  return side(near) != 0 && side(near) == side(far);
 }
 
-/** Which of the faces of a tetrahedron, by the vertex across, has these places; all of them in turn. */
-template <typename Visit>
-void forFacesAt(const Tetrahedron& t, const std::array<std::int32_t, 3>& face,
-  const std::vector<std::int32_t>& places, Visit visit)
+using Face = std::array<std::int32_t, 3>;         // its places, ascending
+using Side = std::tuple<Face, std::int64_t, int>; // and whose it is: tetrahedron, vertex across
+
+/** The sides of some faces, which are sorted, in the order in which they meet in pairs. */
+std::vector<Side> findSides(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
+  const std::vector<Face>& faces)
 {
-  const auto count = std::count_if(t.begin(), t.end(), [&](std::int32_t p) {
-    return std::find(face.begin(), face.end(), placeOf(p, places)) != face.end();
-  });
-  for (int k = 0; k < 4 && count >= 3; ++k)
+  std::vector<bool> near(geometry.Points.size()); // in one of the faces
+  for (const Face& face : faces)
   {
-    if (sortedPlaces(t, k, places) == face)
-    {
-      visit(k);
-    }
+    std::for_each(face.begin(), face.end(), [&](std::int32_t p) { near[std::size_t(p)] = true; });
   }
-}
-}
-
-std::int32_t findNeighborAcross(const CellGeometry& geometry,
-  const std::vector<std::int32_t>& places, std::size_t tetrahedron, int face)
-{
-  using Side = std::pair<std::int64_t, int>;
-  const auto wanted = sortedPlaces(geometry.Tetrahedra[tetrahedron], face, places);
-  vtkSMPThreadLocal<std::vector<Side>> found;
+  vtkSMPThreadLocal<std::vector<Side>> parts;
   vtkSMPTools::For(0, geometry.CountTetrahedra(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      forFacesAt(geometry.Tetrahedra[static_cast<std::size_t>(i)], wanted, places,
-        [&](int k) { found.Local().emplace_back(i, k); });
+      const Tetrahedron t = geometry.Tetrahedra[static_cast<std::size_t>(i)];
+      const auto count = std::count_if(
+        t.begin(), t.end(), [&](std::int32_t p) { return near[std::size_t(placeOf(p, places))]; });
+      for (int k = 0; k < 4 && count >= 3; ++k)
+      {
+        const Face face = sortedPlaces(t, k, places);
+        if (std::binary_search(faces.begin(), faces.end(), face))
+        {
+          parts.Local().emplace_back(face, i, k);
+        }
+      }
     }
   });
   std::vector<Side> sides;
-  for (const std::vector<Side>& part : found)
+  for (const std::vector<Side>& part : parts)
   {
     sides.insert(sides.end(), part.begin(), part.end());
   }
-  std::sort(sides.begin(), sides.end()); // they meet in pairs, as in MatchFaces
-  const auto own = std::find(sides.begin(), sides.end(), Side(tetrahedron, face));
-  const std::size_t other = static_cast<std::size_t>(own - sides.begin()) ^ 1u;
-  const std::int32_t neighbor =
-    other < sides.size() ? static_cast<std::int32_t>(sides[other].first) : FaceNeighbors::None;
-  return isFolded(geometry, places, tetrahedron, face, neighbor) ? FaceNeighbors::None : neighbor;
+  std::sort(sides.begin(), sides.end());
+  return sides;
+}
+}
+
+std::vector<std::int32_t> findNeighborsAcross(const CellGeometry& geometry,
+  const std::vector<std::int32_t>& places, const std::vector<std::size_t>& tetrahedra, int vertex)
+{
+  const auto faceOf = [&](std::size_t i) {
+    return sortedPlaces(geometry.Tetrahedra[i], vertex, places);
+  };
+  std::vector<Face> faces(tetrahedra.size());
+  std::transform(tetrahedra.begin(), tetrahedra.end(), faces.begin(), faceOf);
+  std::sort(faces.begin(), faces.end());
+  const std::vector<Side> sides = findSides(geometry, places, faces);
+  std::vector<std::int32_t> result;
+  for (const std::size_t i : tetrahedra)
+  {
+    const Face face = faceOf(i);
+    const auto first = std::lower_bound(sides.begin(), sides.end(), Side(face, -1, 0));
+    const auto own = std::lower_bound(first, sides.end(), Side(face, i, vertex));
+    const auto other = first + ((own - first) ^ 1); // they meet in pairs, as in MatchFaces
+    const bool meets = other < sides.end() && std::get<0>(*other) == face;
+    const std::int32_t neighbor =
+      meets ? static_cast<std::int32_t>(std::get<1>(*other)) : FaceNeighbors::None;
+    result.push_back(
+      isFolded(geometry, places, i, vertex, neighbor) ? FaceNeighbors::None : neighbor);
+  }
+  return result;
 }
 
 double findCoordinateError(const CellGeometry& geometry)

@@ -50,11 +50,11 @@ private:
 };
 
 /**
- * What FaceNeighbors::Get gives, without any list of neighbours: tests all tetrahedra. `places`: of all points (GetPlaces()), or empty where none
- * coincide.
+ * What FaceNeighbors::Get gives for some tetrahedra, across from one of their vertices (0 to 3), without any list of neighbours: tests all tetrahedra.
+ * `places`: of all points (GetPlaces()), or empty where none coincide.
  */
-std::int32_t findNeighborAcross(const CellGeometry& geometry,
-  const std::vector<std::int32_t>& places, std::size_t tetrahedron, int face);
+std::vector<std::int32_t> findNeighborsAcross(const CellGeometry& geometry,
+  const std::vector<std::int32_t>& places, const std::vector<std::size_t>& tetrahedra, int vertex);
 
 /** Bound on the rounding of a point's coordinates: half a unit in the last place of the largest, twice. */
 double findCoordinateError(const CellGeometry& geometry);

@@ -178,15 +178,46 @@ void TetrahedronNeighbors::FindNeighbors(const CellGeometry& geometry, const Fac
   });
 }
 
-std::vector<std::array<std::int32_t, 4>> TetrahedronNeighbors::Links() const
+std::vector<std::array<std::int32_t, 4>> TetrahedronNeighbors::Links(
+  const CellGeometry& geometry) const
 {
   std::vector<std::array<std::int32_t, 4>> result(this->VertexSums.size());
-  for (std::size_t i = 0; i < result.size(); ++i)
-  {
-    const std::int32_t* n = &this->Neighbors[4 * i];
-    result[i] = { { this->VertexSums[i], n[0] ^ n[3], n[1] ^ n[3], n[2] ^ n[3] } };
-  }
+  vtkSMPTools::For(0, static_cast<vtkIdType>(result.size()), [&](vtkIdType begin, vtkIdType end) {
+    for (std::size_t i = std::size_t(begin); i < std::size_t(end); ++i)
+    {
+      Tetrahedron t = this->MergedVertices(geometry, i);
+      std::sort(t.begin(), t.end());
+      std::array<std::int32_t, 4> n;
+      for (int k = 0; k < 4; ++k)
+      {
+        n[std::size_t(k)] = this->Packed(geometry, t, k, this->Neighbors[4 * i + std::size_t(k)]);
+      }
+      result[i] = { { this->VertexSums[i], n[0] ^ n[3], n[1] ^ n[3], n[2] ^ n[3] } };
+    }
+  });
   return result;
+}
+
+// A neighbour as NeighborTopology.glsl has it; `vertex`: the one across from it.
+std::int32_t TetrahedronNeighbors::Packed(
+  const CellGeometry& geometry, const Tetrahedron& t, int vertex, std::int32_t neighbor) const
+{
+  if (neighbor < 0)
+  {
+    return 4 * neighbor;
+  }
+  const Tetrahedron other = this->MergedVertices(geometry, std::size_t(neighbor));
+  std::int32_t ahead = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    ahead ^= other[std::size_t(k)] ^ (k == vertex ? 0 : t[std::size_t(k)]);
+  }
+  std::int32_t rank = 0;
+  for (int k = 0; k < 4; ++k)
+  {
+    rank += k != vertex && t[std::size_t(k)] < ahead;
+  }
+  return 4 * neighbor + rank;
 }
 
 void TetrahedronNeighbors::ReleaseNeighbors()
@@ -197,15 +228,22 @@ void TetrahedronNeighbors::ReleaseNeighbors()
   }
 }
 
-std::array<std::int32_t, 2> TetrahedronNeighbors::FindOneNeighbor(
-  const CellGeometry& geometry, std::size_t tetrahedron) const
+std::vector<std::array<std::int32_t, 2>> TetrahedronNeighbors::FindOneNeighbor(
+  const CellGeometry& geometry, const std::vector<std::size_t>& tetrahedra) const
 {
   constexpr int face = 0;
-  const Tetrahedron t = this->MergedVertices(geometry, tetrahedron);
-  const std::int32_t found =
-    this->Linked(geometry, t, findNeighborAcross(geometry, this->Places, tetrahedron, face), face);
-  return { { found <= Jump ? this->FindJump(t, std::int32_t(tetrahedron), face) : found,
-    rankOf(t, face) } };
+  const auto across = findNeighborsAcross(geometry, this->Places, tetrahedra, face);
+  std::vector<std::array<std::int32_t, 2>> result;
+  for (std::size_t i = 0; i < tetrahedra.size(); ++i)
+  {
+    const Tetrahedron t = this->MergedVertices(geometry, tetrahedra[i]);
+    const std::int32_t link = this->Linked(geometry, t, across[i], face);
+    const bool jumps = link <= Jump;
+    const std::int32_t neighbor =
+      jumps ? this->FindJump(t, std::int32_t(tetrahedra[i]), face) : link;
+    result.push_back({ { this->Packed(geometry, t, face, neighbor), rankOf(t, face) } });
+  }
+  return result;
 }
 
 // What the neighbours have on record where values jump in the face across from a vertex.

@@ -69,8 +69,11 @@ struct TetrahedronNeighbors
     const std::vector<float>& third);
   /** The same, whatever the values are. */
   void MergePlaces(const std::vector<std::int32_t>& places);
-  /** What the GPU has of each tetrahedron (NeighborTopology.glsl): the exclusive-or of its vertices, and of its last neighbour with the others. */
-  std::vector<std::array<std::int32_t, 4>> Links() const;
+  /**
+   * What the GPU has of each tetrahedron (NeighborTopology.glsl): the exclusive-or of its vertices, and of its last neighbour with the others.
+   * Each with the rank that the vertex behind the face has in the neighbour.
+   */
+  std::vector<std::array<std::int32_t, 4>> Links(const CellGeometry& geometry) const;
   /** The face from which a ray goes on that leaves a tetrahedron through one of its faces; `link`: Jump - n. */
   const std::array<std::int32_t, 4>& FaceAcross(std::int32_t link, std::int32_t tetrahedron) const
   {
@@ -79,14 +82,19 @@ struct TetrahedronNeighbors
   }
   /** Frees the lists of neighbours, which nothing needs any more when the GPU has them. */
   void ReleaseNeighbors();
-  /** One of the neighbours of a tetrahedron, and the rank of the vertex across from it. Tests all tetrahedra and reads no list of neighbours. */
-  std::array<std::int32_t, 2> FindOneNeighbor(
-    const CellGeometry& geometry, std::size_t tetrahedron) const;
+  /**
+   * For each of some tetrahedra one neighbour, as Links has it, and the rank of the vertex across from it. Tests all tetrahedra once, and reads
+   * no list of neighbours.
+   */
+  std::vector<std::array<std::int32_t, 2>> FindOneNeighbor(
+    const CellGeometry& geometry, const std::vector<std::size_t>& tetrahedra) const;
 
 private:
   void FindNeighbors(const CellGeometry& geometry, const FaceNeighbors& faces);
   void ListBoundary(const CellGeometry& geometry);
   Tetrahedron MergedVertices(const CellGeometry& geometry, std::size_t tetrahedron) const;
+  std::int32_t Packed(
+    const CellGeometry& geometry, const Tetrahedron& t, int vertex, std::int32_t neighbor) const;
   std::int32_t Linked(const CellGeometry& geometry, const Tetrahedron& vertices,
     std::int32_t neighbor, int face) const;
   std::int32_t FindJump(const Tetrahedron& t, std::int32_t tetrahedron, int face) const;

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tetrahedra of any mesh (TetrahedronNeighbors.h), 16 bytes each: the exclusive-or of the four vertex numbers, which gives the fourth vertex when
 // three are known, and that of the neighbour across from the last vertex in ascending order with each of the three others, which gives all
-// neighbours when one is known: the one where the walk comes from. A neighbour is a tetrahedron, -1 for none or -2 - n for boundary face n or n + 1.
+// neighbours when one is known: the one where the walk comes from. A neighbour is four times a tetrahedron, -1 for none or -2 - n for boundary
+// face n or n + 1; plus the rank that the vertex across from the face has in the tetrahedron there.
 // Constants: hasJumps.
 uniform IntegerArray tetrahedronLinks;
 
-int cellOf = 0;          // the present tetrahedron
-ivec4 links = ivec4(0);  // of it
-int lastNeighbor = 0;    // across from its last vertex
-int cameThrough = -1;    // what a boundary face has across from it, through which the walk is about to come
+int cellOf = 0;         // the present tetrahedron
+ivec4 links = ivec4(0); // of it
+int lastNeighbor = 0;   // across from its last vertex
+const int nothingAcross = -4;
+int cameThrough = nothingAcross; // what a boundary face has across from it, through which the walk is about to come
 const bool otherPoints = false;
 
 void keepTopology() {}
@@ -32,14 +34,12 @@ int linkOf(int rank)
   return rank == 0 ? links.y : rank == 1 ? links.z : rank == 2 ? links.w : 0;
 }
 
-// Goes into a tetrahedron through a face, from the neighbour there; returns the vertex that is not in the face.
-int enter(int tetrahedron, int from, ivec3 face)
+// Goes into a tetrahedron; returns the vertex that is not in the face.
+int enter(int tetrahedron, ivec3 face)
 {
   cellOf = tetrahedron;
   links = element(tetrahedronLinks, tetrahedron);
-  int ahead = links.x ^ face.x ^ face.y ^ face.z;
-  lastNeighbor = from ^ linkOf(rankOf(ahead, face));
-  return ahead;
+  return links.x ^ face.x ^ face.y ^ face.z;
 }
 
 int pointOf(int vertex)
@@ -51,9 +51,10 @@ int pointOf(int vertex)
 int enterTetrahedron(ivec4 boundaryFace, out ivec3 face)
 {
   face = boundaryFace.xyz;
-  int across = cameThrough;
-  cameThrough = -1;
-  return enter(boundaryFace.w, across, face);
+  int ahead = enter(boundaryFace.w, face);
+  lastNeighbor = cameThrough ^ linkOf(rankOf(ahead, face));
+  cameThrough = nothingAcross;
+  return ahead;
 }
 
 // A tetrahedron is given by its number, and one of its neighbours with the rank of the vertex across from it.
@@ -66,10 +67,11 @@ void enterPlace(ivec4 place)
 
 bool crossFace(inout ivec3 face, int left, out int next)
 {
-  int neighbor = lastNeighbor ^ linkOf(rankOf(left, face));
+  int rank = rankOf(left, face);
+  int neighbor = lastNeighbor ^ linkOf(rank);
   if (neighbor < 0)
   {
-    jumpFace = hasJumps ? -2 - neighbor : -1; // -1: there is nothing across
+    jumpFace = hasJumps ? -2 - (neighbor >> 2) : -1; // -1: there is nothing across
     if (hasJumps && jumpFace >= 0)
     {
       cameThrough = neighbor;
@@ -77,6 +79,8 @@ bool crossFace(inout ivec3 face, int left, out int next)
     }
     return false;
   }
-  next = enter(neighbor, cellOf, face);
+  int from = (cellOf << 2) | rank;
+  next = enter(neighbor >> 2, face);
+  lastNeighbor = from ^ linkOf(neighbor & 3);
   return true;
 }

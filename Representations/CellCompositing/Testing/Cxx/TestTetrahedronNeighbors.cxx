@@ -14,7 +14,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <set>
+#include <utility>
 
 using namespace nephoscope;
 using namespace nephoscope_test;
@@ -251,20 +253,73 @@ TEST(TetrahedronNeighbors, OneNeighborAndTheLinksGiveAll)
       geometryOf(copies.Get(), same) })
   {
     const TetrahedronNeighbors neighbors = neighborsOf(geometry);
-    const auto links = neighbors.Links();
+    const auto links = neighbors.Links(geometry);
     TetrahedronNeighbors released = neighbors;
     released.ReleaseNeighbors();
     EXPECT_TRUE(released.Neighbors.empty() && released.VertexSums.empty());
+    std::vector<std::size_t> all(links.size());
+    std::iota(all.begin(), all.end(), 0);
+    const auto found = released.FindOneNeighbor(geometry, all);
     for (std::size_t i = 0; i < links.size(); ++i)
     {
       const std::int32_t* n = &neighbors.Neighbors[4 * i];
-      const auto known = released.FindOneNeighbor(geometry, i);
-      ASSERT_EQ(known[0], n[known[1]]) << "of tetrahedron " << i;
+      const std::array<std::int32_t, 2>& known = found[i];
+      ASSERT_EQ(known, released.FindOneNeighbor(geometry, { i })[0]);
+      ASSERT_EQ(known[0] >> 2, n[known[1]]) << "of tetrahedron " << i;
       const auto linkOf = [&](int rank) { return rank < 3 ? links[i][std::size_t(rank) + 1] : 0; };
       const std::int32_t last = known[0] ^ linkOf(known[1]);
       for (int rank = 0; rank < 4; ++rank)
       {
-        ASSERT_EQ(last ^ linkOf(rank), n[rank]) << "of tetrahedron " << i;
+        const std::int32_t link = last ^ linkOf(rank);
+        ASSERT_EQ(link >> 2, n[rank]) << "of tetrahedron " << i;
+        // The rank of the vertex behind the face is where the neighbour has this tetrahedron.
+        ASSERT_TRUE(
+          n[rank] < 0 || neighbors.Neighbors[4 * std::size_t(n[rank]) + (link & 3)] == int(i));
+      }
+    }
+  }
+}
+
+TEST(TetrahedronNeighbors, NeighborsKnowEachOther)
+{
+  // Any tetrahedra between points of which some differ by rounding: slivers, folds and copies.
+  Random random(8);
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    std::vector<std::array<double, 3>> points;
+    for (int i = 0; i < 6; ++i)
+    {
+      const auto p = random.Direction();
+      const double rounding = std::numeric_limits<float>::epsilon();
+      points.push_back({ { p[0], p[1], p[2] } });
+      points.push_back({ { p[0] + rounding, p[1] - rounding, p[2] } });
+    }
+    std::vector<std::pair<int, std::vector<vtkIdType>>> cells;
+    for (int i = 0; i < 60; ++i)
+    {
+      std::set<vtkIdType> ids;
+      while (ids.size() < 4)
+      {
+        ids.insert(static_cast<vtkIdType>(random.Uniform(0, double(points.size()))));
+      }
+      cells.push_back({ VTK_TETRA, { ids.begin(), ids.end() } });
+    }
+    const auto value = [trial](vtkIdType i, const double*) { return double(i % (1 + trial % 2)); };
+    const CellGeometry geometry = geometryOf(makeGrid(points, cells), value);
+    const TetrahedronNeighbors neighbors = neighborsOf(geometry);
+    const auto& n = neighbors.Neighbors;
+    const auto links = neighbors.Links(geometry);
+    std::vector<std::size_t> all(links.size());
+    std::iota(all.begin(), all.end(), 0);
+    const auto known = neighbors.FindOneNeighbor(geometry, all);
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      const auto linkOf = [&](int rank) { return rank < 3 ? links[i][std::size_t(rank) + 1] : 0; };
+      for (int rank = 0; rank < 4; ++rank)
+      {
+        const std::int32_t link = known[i][0] ^ linkOf(known[i][1]) ^ linkOf(rank);
+        ASSERT_EQ(link >> 2, n[4 * i + std::size_t(rank)]);
+        ASSERT_TRUE(link < 0 || n[std::size_t(link)] == std::int32_t(i));
       }
     }
   }
