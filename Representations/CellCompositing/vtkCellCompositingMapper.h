@@ -145,8 +145,7 @@ public:
    *   and unstructured data; by coordinates in meshes with other cells among them or with rings of an odd number of cells.
    * - Trilinear: the field of VTK's cells, which favours no diagonal, however the cells are stored. Along a ray it is cut into pieces that
    *   are linear to within 1/512 of the scalar's range. Unstructured cells then need no list of tetrahedra. It requires rays, and
-   *   excludes layers, polygons, overlapping volumes, cells of other kinds and, outside evenly spaced grids, an opacity array; otherwise
-   *   cells are drawn as tetrahedra.
+   *   excludes layers, polygons, overlapping volumes and cells of other kinds; otherwise cells are drawn as tetrahedra.
    */
   vtkSetClampMacro(CellInterpolation, int, TETRAHEDRA_INTERPOLATION, AUTOMATIC_INTERPOLATION);
   vtkGetMacro(CellInterpolation, int);

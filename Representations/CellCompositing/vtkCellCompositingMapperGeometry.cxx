@@ -49,7 +49,8 @@ bool vtkCellCompositingMapper::MayCrossWholeCells() const
 bool vtkCellCompositingMapper::IsTrilinear() const
 {
   const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  const bool holds = geometry.Lattice.Found || !geometry.Hexahedra.empty();
+  const bool simple = geometry.Lattice.Found && !this->Internals->HasCameraLight;
+  const bool holds = simple || !geometry.Hexahedra.empty();
   return !geometry.DividesHexahedra &&
     (this->CellInterpolation == TRILINEAR_INTERPOLATION ||
       (this->CellInterpolation == AUTOMATIC_INTERPOLATION && holds));

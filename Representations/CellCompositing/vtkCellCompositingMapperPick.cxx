@@ -91,9 +91,10 @@ Vector3 toPickedModel(vtkMatrix4x4* worldToModel, const Vector3& world, const do
     out[2] / out[3] - center[2] } };
 }
 
-/** The field of VTK's cell, in numbers of the geometry. */
-double scalarOfPickedCell(vtkDataSet* data, const CellGeometry& geometry, vtkGenericCell* cell,
-  std::int64_t number, Vector3 place)
+/** The field of VTK's cell, in numbers of the geometry; `valueAt`: of a point. */
+template <typename Value>
+double fieldOfPickedCell(vtkDataSet* data, const CellGeometry& geometry, vtkGenericCell* cell,
+  std::int64_t number, Vector3 place, Value valueAt)
 {
   data->GetCell(number, cell);
   std::vector<double> weights(static_cast<std::size_t>(cell->GetNumberOfPoints()));
@@ -107,8 +108,7 @@ double scalarOfPickedCell(vtkDataSet* data, const CellGeometry& geometry, vtkGen
   double sum = 0;
   for (std::size_t k = 0; k < weights.size(); ++k)
   {
-    const auto point = static_cast<std::size_t>(cell->GetPointId(static_cast<int>(k)));
-    sum += weights[k] * geometry.Points[point].Scalar;
+    sum += weights[k] * valueAt(static_cast<std::size_t>(cell->GetPointId(static_cast<int>(k))));
   }
   return sum;
 }
@@ -166,11 +166,16 @@ bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
     length * this->OpacityScale / volume->GetProperty()->GetScalarOpacityUnitDistance() };
   addSurfaces(scene.GetContours(), medium);
   vtkNew<vtkGenericCell> cell;
-  if (this->IsTrilinear() && this->MayCrossWholeCells() && !geometry.HasOpacityScalars &&
+  if (this->IsTrilinear() && this->MayCrossWholeCells() &&
     (!geometry.Hexahedra.empty() || !geometry.Grid.IsEmpty()))
   {
     medium.Scalar = [&](std::int64_t number, double parameter) {
-      return scalarOfPickedCell(data, geometry, cell, number, placeOn(start, end, parameter));
+      return fieldOfPickedCell(data, geometry, cell, number, placeOn(start, end, parameter),
+        [&](std::size_t point) { return geometry.Points[point].Scalar; });
+    };
+    medium.OpacityScalar = [&](std::int64_t number, double parameter) {
+      return fieldOfPickedCell(data, geometry, cell, number, placeOn(start, end, parameter),
+        [&](std::size_t point) { return geometry.OpacityScalars[point]; });
     };
   }
   const nephoscope::PickedCell picked =

@@ -43,7 +43,7 @@ def single(depth, sun, along, start=None, albedo=0.9):
     return albedo / 4 * phase(along @ sun) * np.sum((source[1:] + source[:-1]) / 2) * (t[1] - t[0])
 
 
-def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None, angle=20):
+def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None, angle=20, trilinear=False):
     """The light in every pixel, in floating point; `mesh` has light."""
     window, renderer, volume, mapper = vtkRenderWindow(), vtkRenderer(), vtkVolume(), nephoscope.vtkCellCompositingMapper()
     window.SetOffScreenRendering(1)
@@ -51,6 +51,8 @@ def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None
     window.SetSize(*size)
     window.AddRenderer(renderer)
     mapper.SetInputData(mesh)
+    if trilinear:
+        mapper.SetCellInterpolationToTrilinear()
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectScalarArray("Sunlight")
     mapper.SetOpacityArrayName("ScaledExtinction")
@@ -94,6 +96,19 @@ class SingleScattering(unittest.TestCase):
             for parallel in (None, 0.5):
                 with self.subTest(towards=towards, parallel=parallel):
                     found = light_seen(lit, eye, (0, 0, 0.5), parallel=parallel)[10, 10]
+                    self.assertAlmostEqual(found, expected, delta=5e-3 * expected)
+
+    def test_trilinear_cells(self):
+        """The slab as a grid and as unstructured hexahedra."""
+        sun = (0.6, 0, 0.8)
+        grid = slab(0.8, 50.0).cast_to_structured_grid()
+        for mesh in (grid, grid.cast_to_unstructured_grid()):
+            lit = mesh.nephoscope.sunlight(sun, **ONCE)
+            for towards in ((0.6, 0, 0.8), (0, 0.8, 0.6), (-0.6, 0, -0.8), (0.6, 0.3, -0.8)):
+                with self.subTest(mesh=type(mesh).__name__, towards=towards):
+                    eye = 5 * unit(towards) + (0.1, 0.2, 0.5)
+                    found = light_seen(lit, eye, (0.1, 0.2, 0.5), trilinear=True)[10, 10]
+                    expected = single(0.8, sun, -unit(towards))
                     self.assertAlmostEqual(found, expected, delta=5e-3 * expected)
 
     def test_eye_in_the_cloud(self):

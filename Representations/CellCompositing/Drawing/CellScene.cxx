@@ -380,6 +380,22 @@ void CellScene::FindVisible()
   this->NumberOfVisible = visible;
 }
 
+// Lowest and highest scalar at the vertices, of colour or of a separate opacity.
+std::pair<float, float> CellScene::RangeInHexahedron(std::size_t cell, bool ofOpacity) const
+{
+  const CellGeometry& geometry = this->Geometry;
+  const bool onCells = ofOpacity ? geometry.OpacityOnCells : !geometry.CellScalars.empty();
+  const std::vector<float>& values = ofOpacity ? geometry.OpacityScalars : geometry.CellScalars;
+  const Hexahedron& vertices = geometry.Hexahedra[cell];
+  std::array<float, 8> s;
+  std::transform(vertices.begin(), vertices.end(), s.begin(), [&](std::int32_t p) {
+    const auto point = static_cast<std::size_t>(p);
+    return onCells ? values[cell] : ofOpacity ? values[point] : geometry.Points[point].Scalar;
+  });
+  const auto range = std::minmax_element(s.begin(), s.end());
+  return { *range.first, *range.second };
+}
+
 void CellScene::FindVisibleHexahedra()
 {
   const CellGeometry& geometry = this->Geometry;
@@ -394,15 +410,10 @@ void CellScene::FindVisibleHexahedra()
         count += this->CountVisibleParts(i);
         continue;
       }
-      Hexahedron vertices = geometry.Hexahedra[i];
-      std::array<float, 8> s;
-      std::transform(vertices.begin(), vertices.end(), s.begin(), [&](std::int32_t p) {
-        return geometry.CellScalars.empty() ? geometry.Points[static_cast<std::size_t>(p)].Scalar
-                                            : geometry.CellScalars[i];
-      });
-      const auto range = std::minmax_element(s.begin(), s.end());
-      count += !this->Opacities[0].IsTransparent(*range.first, *range.second) ||
-        this->Contours.DrawsBetween(*range.first, *range.second);
+      const std::pair<float, float> seen = this->RangeInHexahedron(i, geometry.HasOpacityScalars),
+                                    colored = this->RangeInHexahedron(i, false);
+      count += !this->Opacities[0].IsTransparent(seen.first, seen.second) ||
+        this->Contours.DrawsBetween(colored.first, colored.second);
     }
     visible += count;
   });

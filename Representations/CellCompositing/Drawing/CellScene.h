@@ -157,6 +157,7 @@ private:
   bool IsVisible(std::size_t tetrahedron) const;
   void FindVisibleOfGrid();
   void FindVisibleHexahedra();
+  std::pair<float, float> RangeInHexahedron(std::size_t cell, bool ofOpacity) const;
   int CountVisibleParts(std::size_t cell) const;
   void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
   void FindTablesOfTetrahedra(const std::vector<int>& layers);

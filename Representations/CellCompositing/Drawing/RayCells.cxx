@@ -141,7 +141,7 @@ bool RayCells::DrawsHexahedra(const CellDrawing& drawing) const
 {
   return (this->HasHexahedra && !this->DividesHexahedra) ||
     (drawing.Options.Trilinear && !this->Grid.IsEmpty() && !drawing.Contours.HasPolygons() &&
-      !drawing.Buffers.HasLayers() && !drawing.Buffers.HasOpacityScalars());
+      !drawing.Buffers.HasLayers());
 }
 
 bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)

@@ -65,7 +65,8 @@ std::string hexahedraShader(bool structured)
       { "HexahedronContours", HexahedronContoursShader }, { "CubicContours", CubicContoursShader },
       { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "PixelRay", PixelRayShader }, { "RayEntry", RayEntryShader } });
+      { "PixelRay", PixelRayShader }, { "RayEntry", RayEntryShader },
+      { "CameraLight", CameraLightShader } });
 }
 
 std::string voxelsShader()

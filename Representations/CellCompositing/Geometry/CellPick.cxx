@@ -141,8 +141,10 @@ public:
   {
     const std::vector<float>& values = this->Geometry.OpacityScalars;
     return !this->Geometry.HasOpacityScalars ? this->Color(parameter)
-      : this->Geometry.OpacityOnCells
-      ? values[this->Number]
+      : this->Geometry.OpacityOnCells        ? values[this->Number]
+      : this->Medium.OpacityScalar
+      ? this->Medium.OpacityScalar(
+          cellOfTetrahedron(this->Geometry, this->At.Tetrahedron), parameter)
       : this->Interpolate(parameter, [&](std::size_t point) { return values[point]; });
   }
 

@@ -36,7 +36,7 @@ bool areHexahedra(vtkDataSet* data)
 bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, const Progress& progress)
 {
-  if (this->LayerArray || this->HasOpacityScalars || !findChessboardGrid(data).IsEmpty() ||
+  if (this->LayerArray || !findChessboardGrid(data).IsEmpty() ||
     data->GetNumberOfCells() > mostLinkedHexahedra || !areHexahedra(data))
   {
     return false;

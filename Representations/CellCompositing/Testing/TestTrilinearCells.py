@@ -361,6 +361,42 @@ class TrilinearCells(unittest.TestCase):
             self.assert_same(one, other, f"stored {view}")
             self.assert_same(other, cut, f"as tetrahedra {view}")
 
+    def test_an_opacity_array(self):
+        """Colour and opacity from two arrays on points, one steep; either of them on cells."""
+        opacity = lambda _, made: made.SetOpacityArrayName("o")
+        for name, data in (("rectilinear", rectilinear()), ("tapered", tapered())):
+            with_values(data, smooth)
+            meshes.add_array(data.GetPointData(), steep(meshes.points_of(data)).astype(np.float32), "o")
+            field, of_opacity = ((trilinear_field(data, a) if name == "rectilinear" else lambda p, a=a: probed(data, p, a)) for a in "so")
+            expected = None
+            for stored in (data, unstructured(data)):
+                drawn = Drawn(stored, CLEAR_BELOW, opacity)
+                image = drawn.picture()
+                expected = dense(data, drawn.scene.view(), CLEAR_BELOW, field, opacity=of_opacity) if expected is None else expected
+                self.assert_same(image, expected, f"{name} {stored.GetClassName()}", 2 * STEP)
+                self.assertEqual(drawn.window.messages.all, [])
+            cut = np.abs(Drawn(unstructured(data), CLEAR_BELOW, opacity, trilinear=False).picture() - expected).max()
+            print(f"  as tetrahedra {cut * 255:.1f}/255", flush=True)
+            self.assertGreater(cut, 5 * STEP)
+
+    def test_an_opacity_array_however_stored(self):
+        opacity = lambda _, made: made.SetOpacityArrayName("o")
+        for name, data in (("tapered", tapered()), ("bent", bent())):
+            for colors, opacities in (("point", "point"), ("point", "cell"), ("cell", "point"), ("cell", "cell")):
+                whole = data.NewInstance()
+                whole.CopyStructure(data)
+                with_values(whole, smooth if colors == "point" else steep, colors)
+                attributes = whole.GetPointData() if opacities == "point" else whole.GetCellData()
+                count = whole.GetNumberOfPoints() if opacities == "point" else whole.GetNumberOfCells()
+                meshes.add_array(attributes, np.random.default_rng(8).uniform(0, 1, count).astype(np.float32), "o")
+                pair = [Drawn(d, CLEAR_BELOW, opacity, association=colors) for d in (whole, unstructured(whole))]
+                for view in ("far", "inside", "on_a_point"):
+                    self.assert_same(*(drawn.picture(VIEWS[view]) for drawn in pair), f"{name} {colors} {opacities} {view}",
+                                     most=BENT if name == "bent" else 0)
+                if (name, colors, opacities) == ("tapered", "cell", "cell"):
+                    cut = Drawn(unstructured(whole), CLEAR_BELOW, opacity, association=colors, trilinear=False).picture()
+                    self.assert_same(pair[1].picture(), cut, f"{name} as tetrahedra")
+
     def test_hidden_cells_and_missing_values(self):
         data = with_values(tapered(), steep)
         meshes.add_array(data.GetCellData(), np.where(np.arange(data.GetNumberOfCells()) % 5 == 0, vtkDataSetAttributes.HIDDENCELL, 0).astype(np.uint8),

@@ -10,18 +10,13 @@ const bool contoursInCells = useContours && !(useCellScalars && contourOfColor);
 vec4 contourNear = vec4(0.0), contourFar = vec4(0.0);
 bool hasContourValues = true;
 
-float contourScalarAt(int b, int d, int ahead)
-{
-  return element(contourScalars, pointOfRing(b, d, ahead)).r;
-}
-
 // Before the ring goes on. Those of the coloured array are at hand.
 void seeContours()
 {
   if (contoursInCells && !contourOfColor)
   {
-    contourNear = vec4(contourScalarAt(0, 0, 0), contourScalarAt(1, 0, 0), contourScalarAt(1, 1, 0), contourScalarAt(0, 1, 0));
-    contourFar = vec4(contourScalarAt(0, 0, 1), contourScalarAt(1, 0, 1), contourScalarAt(1, 1, 1), contourScalarAt(0, 1, 1));
+    contourNear = valuesOfRing(contourScalars, 0);
+    contourFar = valuesOfRing(contourScalars, 1);
     hasContourValues = !isnan(dot(contourNear + contourFar, vec4(1.0)));
   }
   else if (contoursInCells)
@@ -31,15 +26,9 @@ void seeContours()
   }
 }
 
-vec2 rangeOfFour(vec4 s)
-{
-  return vec2(lesser(lesser(s.x, s.y), lesser(s.z, s.w)), greater(greater(s.x, s.y), greater(s.z, s.w)));
-}
-
 vec2 rangeOfContours()
 {
-  vec2 a = rangeOfFour(contourNear), b = rangeOfFour(contourFar);
-  return vec2(lesser(a.x, b.x), greater(a.y, b.y));
+  return rangeOfEight(contourNear, contourFar);
 }
 
 // In the face through which the ray leaves the cell.
@@ -53,17 +42,12 @@ vec2 rangeOfContoursBehind(int exit)
 // At a place in the cell: what is contoured, and what a step along AB, AD and AE changes.
 vec4 contouredAt(vec3 p)
 {
-  vec4 level = mix(contourNear, contourFar, p.z), on = contourFar - contourNear;
-  float low = mix(level.x, level.y, p.x), high = mix(level.w, level.z, p.x);
-  return vec4(mix(low, high, p.y), mix(level.y - level.x, level.z - level.w, p.y), high - low,
-    mix(mix(on.x, on.y, p.x), mix(on.w, on.z, p.x), p.y));
+  return fieldInCell(contourNear, contourFar, p);
 }
 
-// At the point of the ray next to a place in the cell, found last.
 float contouredBeside(vec3 p)
 {
-  vec4 here = contouredAt(p);
-  return here.x + dot(here.yzw, stepsToRay);
+  return fieldBeside(contourNear, contourFar, p);
 }
 
 int pointAtCorner(ivec3 corner)

@@ -200,3 +200,37 @@ vec2 besidePlace(vec3 p)
   stepsToRay = steps;
   return here.zw + steps.x * right.zw + steps.y * up.zw + steps.z * on.zw;
 }
+
+// Values of an array at the vertices A to D, or of E to H, of the cell ahead.
+vec4 valuesOfRing(FloatArray values, int ahead)
+{
+  return vec4(element(values, pointOfRing(0, 0, ahead)).r, element(values, pointOfRing(1, 0, ahead)).r,
+    element(values, pointOfRing(1, 1, ahead)).r, element(values, pointOfRing(0, 1, ahead)).r);
+}
+
+vec2 rangeOfFour(vec4 s)
+{
+  return vec2(lesser(lesser(s.x, s.y), lesser(s.z, s.w)), greater(greater(s.x, s.y), greater(s.z, s.w)));
+}
+
+vec2 rangeOfEight(vec4 near, vec4 far)
+{
+  vec2 a = rangeOfFour(near), b = rangeOfFour(far);
+  return vec2(lesser(a.x, b.x), greater(a.y, b.y));
+}
+
+// At a place in the cell: a trilinear field, from its values at A to D and E to H, and what a step along AB, AD and AE changes.
+vec4 fieldInCell(vec4 near, vec4 far, vec3 p)
+{
+  vec4 level = mix(near, far, p.z), on = far - near;
+  float low = mix(level.x, level.y, p.x), high = mix(level.w, level.z, p.x);
+  return vec4(mix(low, high, p.y), mix(level.y - level.x, level.z - level.w, p.y), high - low,
+    mix(mix(on.x, on.y, p.x), mix(on.w, on.z, p.x), p.y));
+}
+
+// The same field at the point of the ray next to a place in the cell that besidePlace found last.
+float fieldBeside(vec4 near, vec4 far, vec3 p)
+{
+  vec4 here = fieldInCell(near, far, p);
+  return here.x + dot(here.yzw, stepsToRay);
+}

@@ -8,6 +8,7 @@
 //NEPHOSCOPE::Arrays
 uniform FloatArray points; // position, scalar
 uniform FloatArray cellScalars;
+uniform FloatArray opacityScalars;
 uniform FloatArray hiddenCells;
 uniform IntegerArray boundaryFaces;
 uniform sampler2D entryFaces; // boundary face (-1: none), depth
@@ -43,6 +44,7 @@ const int exitDA = 4;
 //NEPHOSCOPE::RaySegments
 //NEPHOSCOPE::ContourSurfaces
 //NEPHOSCOPE::RayRange
+//NEPHOSCOPE::CameraLight
 //NEPHOSCOPE::CubicPieces
 //NEPHOSCOPE::Topology
 
@@ -53,7 +55,7 @@ vec4 seen(int point)
 {
   vec4 p = element(points, point);
   vec3 q = p.xyz - origin;
-  return vec4(dot(q, across1), dot(q, across2), dot(q, along), p.w);
+  return vec4(dot(q, across1), dot(q, across2), dot(q, along), withCameraLight(p.w, point));
 }
 
 vec3 placeSeen(int point)
@@ -66,7 +68,25 @@ vec3 placeSeen(int point)
 //NEPHOSCOPE::HexahedronWalk
 //NEPHOSCOPE::HexahedronContours
 
-vec2 scalarsOfCell = vec2(0.0); // lowest and highest
+vec2 scalarsOfCell = vec2(0.0);   // lowest and highest
+vec2 opacitiesOfCell = vec2(0.0); // the same of the scalars that the opacity function reads
+vec4 opacityNear = vec4(0.0), opacityFar = vec4(0.0); // of an array of their own at A to D, and at E to H
+const bool opacityInCells = separateOpacity && !opacityOnCells;
+
+void seeOpacities()
+{
+  opacitiesOfCell = scalarsOfCell;
+  if (opacityInCells)
+  {
+    opacityNear = valuesOfRing(opacityScalars, 0);
+    opacityFar = valuesOfRing(opacityScalars, 1);
+    opacitiesOfCell = rangeOfEight(opacityNear, opacityFar);
+  }
+  else if (separateOpacity)
+  {
+    opacitiesOfCell = vec2(element(opacityScalars, cellNumber()).r);
+  }
+}
 
 // Nothing is seen in the cell whose vertices are at hand.
 bool isClear()
@@ -86,21 +106,22 @@ bool isClear()
       greater(greater(greater(walkA.w, walkB.w), greater(walkC.w, walkD.w)), greater(greater(walkE.w, walkF.w), greater(walkG.w, walkH.w)));
     scalarsOfCell = vec2(low, high);
   }
+  seeOpacities();
   seeContours();
   vec2 contoured = contoursInCells ? rangeOfContours() : vec2(0.0);
   bool inLayer = !contoursInCells || !hasContourValues || (contoured.x >= layerReach.x && contoured.y < layerReach.y);
-  return inLayer && scalarsOfCell.x >= clear.x && scalarsOfCell.y < clear.y;
+  return inLayer && opacitiesOfCell.x >= clear.x && opacitiesOfCell.y < clear.y;
 }
 
-// Adds what lies between two distances, as far as it is seen: between the near plane and the opaque geometry.
-void addPart(vec2 front, vec2 back, vec2 range)
+// Adds what lies between two places, as far as it is seen: between the near plane and the opaque geometry.
+void addPart(vec3 front, vec3 back, vec2 range)
 {
   vec2 z = vec2(max(front.x, range.x), min(back.x, range.y));
   if (z.y > z.x)
   {
     vec4 before = accumulatedLight();
-    vec2 s = mix(front.yy, back.yy, (z - front.x) / (back.x - front.x));
-    addSegment(s.xx, s.yy, z.y - z.x);
+    vec2 t = (z - front.x) / (back.x - front.x);
+    addSegment(mix(front.yz, back.yz, t.x), mix(front.yz, back.yz, t.y), z.y - z.x);
     hazeAdded(before, z);
   }
 }
@@ -109,10 +130,10 @@ void addPart(vec2 front, vec2 back, vec2 range)
 vec2 ringPlace = vec2(0.0), ringPass = vec2(0.0);
 bool ringIsKnown = false;
 
-// The pieces of the cell that are still to be added, and where they begin: distance, scalar.
-vec4 cellDistances = vec4(0.0), scalarsInCell = vec4(0.0);
+// The pieces of the cell that are still to be added, and where they begin: distance, scalars of colour and opacity.
+vec4 cellDistances = vec4(0.0), scalarsInCell = vec4(0.0), opacitiesInCell = vec4(0.0);
 float pieces = 1.0;
-vec2 pieceFront = vec2(0.0);
+vec3 pieceFront = vec3(0.0);
 
 // Crosses the cell; returns through which face the ray leaves it.
 int crossCell()
@@ -124,7 +145,7 @@ int crossCell()
     ringIsKnown = true;
   }
   vec3 entered = vec3(ringPlace, 0.0);
-  pieceFront = ringPass;
+  pieceFront = vec3(ringPass, 0.0);
   keepCell();
   int exit = leaveCell();
   ringPlace = placeInRing();
@@ -133,7 +154,8 @@ int crossCell()
   inCell = true;
   partOfCell = 0.0;
   pieceFront.y = useCellScalars ? scalarsOfCell.x : pieceFront.y;
-  if (useCellScalars && !contoursInCells)
+  pieceFront.z = separateOpacity ? opacitiesOfCell.x : pieceFront.y;
+  if (useCellScalars && !contoursInCells && !opacityInCells)
   {
     return exit;
   }
@@ -141,10 +163,18 @@ int crossCell()
   vec3 thirds[2] = vec3[2](mix(entered, left, 1.0 / 3.0), mix(entered, left, 2.0 / 3.0));
   vec2 first = besidePlace(thirds[0]);
   float contouredFirst = contoursInCells ? contouredBeside(thirds[0]) : 0.0;
+  float opacityFirst = opacityInCells ? fieldBeside(opacityNear, opacityFar, thirds[0]) : 0.0;
   vec2 second = besidePlace(thirds[1]);
   cellDistances = cubicThrough(vec4(pieceFront.x, first.x, second.x, ringPass.x));
   scalarsInCell = useCellScalars ? vec4(scalarsOfCell.x, 0.0, 0.0, 0.0) : cubicThrough(vec4(pieceFront.y, first.y, second.y, ringPass.y));
   pieces = countPieces(scalarsInCell);
+  if (opacityInCells)
+  {
+    pieceFront.z = fieldInCell(opacityNear, opacityFar, entered).x;
+    opacitiesInCell = cubicThrough(vec4(pieceFront.z, opacityFirst, fieldBeside(opacityNear, opacityFar, thirds[1]),
+      fieldInCell(opacityNear, opacityFar, left).x));
+    pieces = max(pieces, countPieces(opacitiesInCell));
+  }
   if (contoursInCells)
   {
     placeEntered = entered;
@@ -161,6 +191,15 @@ void fitHazeToCell(vec2 range)
   hazeIsFresh = true;
 }
 
+// Where a piece ends: distance, scalars of colour and opacity.
+vec3 placeInPieces(float to)
+{
+  vec2 place = to >= 1.0 ? vec2(ringPass.x, useCellScalars ? scalarsOfCell.x : ringPass.y)
+                         : vec2(cubicAt(cellDistances, to), clamp(cubicAt(scalarsInCell, to), scalarsOfCell.x, scalarsOfCell.y));
+  float opacity = opacityInCells ? cubicAt(opacitiesInCell, min(to, 1.0)) : separateOpacity ? opacitiesOfCell.x : place.y;
+  return vec3(place, clamp(opacity, opacitiesOfCell.x, opacitiesOfCell.y));
+}
+
 int contourAhead = -1; // to be passed before the next piece
 
 // Adds the pieces of the cell that are left. False: the haze is to be fitted anew first, or a surface to be added.
@@ -170,8 +209,7 @@ bool addPieces(vec2 range)
   {
     float to = endOfPiece(pieces);
     int contour = contoursInCells ? contourInPiece(to) : -1;
-    vec2 back = to >= 1.0 ? vec2(ringPass.x, useCellScalars ? scalarsOfCell.x : ringPass.y)
-                          : vec2(cubicAt(cellDistances, to), clamp(cubicAt(scalarsInCell, to), scalarsOfCell.x, scalarsOfCell.y));
+    vec3 back = placeInPieces(to);
     float end = min(back.x, range.y);
     bool hazeEnds = useHaze && end > hazeTo && end > max(pieceFront.x, range.x);
     if (hazeEnds && !hazeIsFresh)
@@ -271,7 +309,7 @@ void walk(vec2 range)
     }
     if (contoursInCells && contourAhead >= 0)
     {
-      addSurface(contourAhead, pieceFront, range);
+      addSurface(contourAhead, pieceFront.xy, range);
       contourAhead = -1;
       inside = inside && !isOpaque();
     }
@@ -325,6 +363,7 @@ void main()
       continue;
     }
     makeRay(beside);
+    keepCameraLight(along);
     vec2 range = visibleRange();
     startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
     startHaze();
