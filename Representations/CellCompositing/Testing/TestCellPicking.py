@@ -201,6 +201,21 @@ class Picking(ImageTestCase):
         self.assertAlmostEqual(ours.GetPickedScalar(), place[0] * place[1], 5)
         self.assertGreater(ours.GetPickedScalar(), 0.1)
 
+    def test_trilinear_field_of_the_opacity(self):
+        """The same array twice gives the same place."""
+        transfer = Transfer([(-1, 1, 1, 1), (1, 0, 0, 1)], [(-1, 0), (1, 3)])
+        data = meshes.with_field(meshes.image((1, 1, 1), (2, 2, 2), (-1, -1, -1)), lambda p: p[:, 0] * p[:, 1])
+        meshes.add_array(data.GetPointData(), meshes.vtk_to_numpy(data.GetPointData().GetArray("s")).copy(), "o")
+        look = lambda s: s.look((2, 3, 4), (0, 0, 0), angle=30, near=0.1, far=20)  # noqa: E731
+        places = []
+        for opacity in ("", "o"):
+            def configure(made, name=opacity):
+                made.SetCellInterpolationToTrilinear()
+                made.SetOpacityArrayName(name)
+            scene, ours = self.scene(data, transfer, look, configure=configure)
+            places.append(np.append(self.pick(scene, ours, 24, 20), ours.GetPickedScalar()))
+        np.testing.assert_allclose(places[0], places[1], atol=1e-5)
+
     def test_nothing_there(self):
         data = meshes.with_field(DATA["image"](), X)
         scene, ours = self.scene(data, look=lambda s: s.look((0, 0, 5), parallel_scale=3, near=0.1, far=20))
