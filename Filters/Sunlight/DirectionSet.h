@@ -40,7 +40,7 @@ inline std::vector<std::pair<double, double>> gaussLegendre(int n)
   return rule;
 }
 
-// `zenith` cosines in each hemisphere; `azimuth` angles for each, twice as many for those with the larger solid angles. None is along an axis.
+// `zenith` cosines in each hemisphere, with `azimuth` angles each; cosines with larger solid angles have twice as many. No direction is along an axis.
 inline std::vector<Direction> directionSet(int zenith, int azimuth)
 {
   std::vector<Direction> directions;

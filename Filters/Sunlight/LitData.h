@@ -54,14 +54,14 @@ public:
   Place FromPlace(const Place& place) const;
   Place ToPlace(const Place& coordinates) const;
 
-  /** An image of about so many points around the places, in these coordinates; with clear sides, it is wider on each side by its height, or by half its width if that is less. */
+  /** An image of about `points` points around the places, in these coordinates. With clear sides it has margins as wide as it is high, or half as wide as it is if that is less. */
   vtkSmartPointer<vtkImageData> MakeImage(
     const std::vector<Place>& places, double points, bool hasClearSides) const;
 
   /** The data, with their arrays, at the points of the image. */
   vtkSmartPointer<vtkDataSet> Sampled(vtkDataSet* data, vtkImageData* image) const;
 
-  /** Whether the data fill most of the sides of the image, as a part of larger clouds does, and clouds cut out of clear air do not. */
+  /** Whether the data fill at least half of the sides of the image. A part of larger clouds does; clouds cut out of clear air do not. */
   static bool FillSides(vtkDataSet* sampled, vtkImageData* image);
 
 private:

@@ -31,8 +31,9 @@ inline ScaledMedium scaled(double extinction, double albedo, double asymmetry)
 }
 
 /**
- * The phase function of light that has been scattered straight on before, of fraction `forward` (README.md): the mean of `smooth`, that of the scaled medium, and of
- * what makes light scattered twice exact. `once` and `twice` are the phase functions of light scattered once and twice, `smoothTwice` that of two scatterings in the scaled medium.
+ * The phase function for light that has been scattered into the forward peak before (README.md). `forward` is the fraction in that peak. The result is the mean of two functions:
+ * `smooth`, that of the scaled medium, and the one that makes double scattering exact. `once` and `twice` are the phase functions of light scattered once and twice;
+ * `smoothTwice` is that of two scatterings in the scaled medium.
  */
 inline double afterForwardScattering(
   double once, double twice, double smooth, double smoothTwice, double forward)
@@ -44,7 +45,7 @@ inline double afterForwardScattering(
   return 0.5 * (smooth + std::max(exact, 0.0));
 }
 
-/** The same for a Henyey-Greenstein function: light scattered twice has the asymmetry squared. */
+/** The same for a Henyey-Greenstein function. For light scattered twice, the asymmetry parameter is squared. */
 inline double afterForwardScattering(double asymmetry, double cosine)
 {
   const double forward = asymmetry * asymmetry, scaled = asymmetry / (1 + asymmetry);

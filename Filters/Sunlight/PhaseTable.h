@@ -87,8 +87,8 @@ inline std::vector<double> scatteredTwice(const std::vector<double>& table)
 }
 
 /**
- * What a mapper multiplies single scattering by: light that comes straight from the sun, P / (1 - f), and light that has been scattered straight on before
- * (PhaseFunction.h). Without scaling, f is 0.
+ * The factors by which a mapper multiplies single scattering: P / (1 - f) for light straight from the sun, and afterForwardScattering() for light that has been
+ * scattered into the forward peak before (PhaseFunction.h). Without scaling, f is 0.
  */
 inline std::vector<std::array<float, 2>> phaseFactors(const std::vector<double>& table, bool scales)
 {

@@ -145,7 +145,10 @@ public:
   ///@}
 
   ///@{
-  /** Zenith angles in each hemisphere (1 to 16) and azimuth angles (4 to 64) of the diffuse light; zenith angles with larger solid angles have twice as many. Defaults 3 and 4: 4, 8 and 4 directions. */
+  /**
+   * Number of zenith angles in each hemisphere (1 to 16) and of azimuth angles (4 to 64) of the diffuse light. Zenith angles with larger solid angles
+   * have twice as many azimuth angles. Defaults 3 and 4: 4, 8 and 4 directions per hemisphere.
+   */
   vtkSetClampMacro(ZenithAngles, int, 1, 16);
   vtkGetMacro(ZenithAngles, int);
   vtkSetClampMacro(AzimuthAngles, int, 4, 64);

@@ -92,7 +92,7 @@ class Tables(unittest.TestCase):
             np.testing.assert_allclose(phase, henyey_greenstein(g, angles), rtol=1e-5)
 
     def test_after_light_that_went_straight_on(self):
-        """Half the scaled function, and half what makes two scatterings exact; scattering twice multiplies the asymmetries of each pair of functions."""
+        """The mean of the scaled function and the one that makes double scattering exact. Scattering twice multiplies the asymmetry parameters of each pair of functions."""
         for kind, g, parts in ((KINDS[0], 0.85, {0.85: 1}), (KINDS[0], 0.3, {0.3: 1}), (KINDS[0], 0.0, {0.0: 1}), (KINDS[1], 0.0, {0.9017: 0.975, -0.6: 0.025})):
             angles, (once, found) = factors(kind, g)
             mean_cosine = sum(one * weight for one, weight in parts.items())

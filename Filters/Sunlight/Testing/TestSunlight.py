@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sunlight: beams in closed form, shadows on the ground and of clouds on smoke, the sun's place, what is wrong."""
+"""Sunlight: beams in closed form, shadows on the ground and on smoke, the position of the sun, wrong input."""
 import hashlib
 import pathlib
 import sys
@@ -322,7 +322,7 @@ class Wrong(unittest.TestCase):
         self.assertTrue(np.isfinite(values(output, "Sunlight")).all())
 
     def test_depths_that_no_cloud_has(self):
-        """An array that is no extinction, an extinction per metre on a mesh in kilometres; thick clouds in clear air are told nothing."""
+        """Warnings of an array that is no extinction and of an extinction per metre on a mesh in kilometres; none of thick clouds in clear air."""
         for data, options, words in (
                 (image((9, 9, 9), (1, 1, 1), lambda x, y, z: 150 + x), {}, ("optical depth above 200", "ExtinctionScale, such as 0.006")),
                 (image((9, 9, 9), (1, 1, 1), lambda x, y, z: 150 + x), {"ExtinctionScale": 1e-4}, ()),

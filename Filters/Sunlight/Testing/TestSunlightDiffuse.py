@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Diffuse light: the I3RC step cloud, energy, plane-parallel slabs, day and night, all orders of indices and all meshes."""
+"""Diffuse light: the I3RC step cloud, energy, plane-parallel slabs, day and night, all orders of indices, structured and unstructured meshes."""
 import collections
 import itertools
 import pathlib
@@ -32,7 +32,7 @@ SLANTED = np.array([
 
 
 def step_cloud(periods, levels, sun):
-    """Reflectance of the 32 columns in the middle one of so many periods, and the share of light that goes through."""
+    """Reflectance and transmittance of the 32 columns of the middle period."""
     def extinction(x, y, z):
         return np.where(np.floor(x / 0.015625 + 0.5) % 32 < 16, 2.0, 18.0) / 0.25
     data = image((32 * periods, 2, levels), (0.015625, 0.25, 0.25 / (levels - 1)), extinction)
@@ -64,7 +64,7 @@ class StepCloud(unittest.TestCase):
 
 class Slab(unittest.TestCase):
     def slab(self, depth, albedo=1.0, asymmetry=0.85, sun=(0, 0, 1), **options):
-        """Fluxes up at the top and down at the bottom, far from the sides."""
+        """Upward flux at the top and downward flux at the bottom, far from the sides."""
         data = image((3, 3, 41), (1000, 1000, 1 / 40), lambda x, y, z: 0 * x + depth)
         output, _ = light_of(data, sun, **{"Albedo": albedo, "Asymmetry": asymmetry, "GroundAlbedo": 0, "SkyLight": 0, "ZenithAngles": 4, **options})
         return values(output, "UpwardIrradiance")[40 * 9 + 4], values(output, "Irradiance")[4]
@@ -79,12 +79,12 @@ class Slab(unittest.TestCase):
             self.assertAlmostEqual(self.slab(depth)[0], 1 - 5 / (4 + 3 * 0.15 * depth), delta=0.02)
 
     def test_ground_reflects(self):
-        """Without a cloud light goes up as the ground reflects it; a black cloud absorbs."""
+        """Without a cloud, the upward light is what the ground reflects. A black cloud absorbs nearly all light."""
         self.assertAlmostEqual(self.slab(0.0, GroundAlbedo=0.5)[0], 0.5, delta=1e-3)
         self.assertLess(self.slab(50, albedo=0.0)[0], 1e-3)
 
     def test_snow_below_thick_clouds(self):
-        """What bright ground absorbs is what is not reflected; the light on it is that of Eddington's approximation, R = R0 + A T0^2 / (1 - A R0)."""
+        """Bright ground absorbs what is not reflected. The light on it is that of Eddington's approximation, R = R0 + A T0^2 / (1 - A R0)."""
         for depth in (50, 100, 200, 300):
             for white in (0.6, 0.8, 0.9):
                 with self.subTest(depth, white=white):
@@ -95,7 +95,7 @@ class Slab(unittest.TestCase):
                     self.assertAlmostEqual(arriving, through / (1 - white * (1 - 4 / (4 + 3 * 0.15 * depth))), delta=0.04)
 
     def test_single_scattering_of_a_thin_slab(self):
-        """Its radiance for an eye overhead is that of the phase function itself, tau P / 4, although the solver scales it."""
+        """For an eye overhead its radiance is that of the unscaled phase function, tau P / 4, although the solver scales it."""
         asymmetry, depth, mu = 0.85, 0.02, 0.8
         data = image((3, 3, 41), (1000, 1000, 1 / 40), lambda x, y, z: 0 * x + depth)
         output, _ = light_of(data, (0.6, 0, mu), UseViewPosition=True, ParallelView=True, ViewPosition=(0, 0, 1), GroundAlbedo=0, SkyLight=0, Asymmetry=asymmetry)
@@ -114,11 +114,11 @@ class Slab(unittest.TestCase):
 
 
 def eddington(depth, albedo, asymmetry, cosine):
-    """Reflected and transmitted share, with the beam, of a cloud above black ground: delta-Eddington in closed form (Joseph, Wiscombe and Weinman 1976)."""
+    """Reflected and transmitted fractions (the latter with the beam) of a cloud above black ground: delta-Eddington in closed form (Joseph, Wiscombe and Weinman 1976)."""
     forward = asymmetry ** 2
     depth, w, g = (1 - albedo * forward) * depth, min((1 - forward) * albedo / (1 - albedo * forward), 1 - 1e-9), asymmetry / (1 + asymmetry)
     k, transport, beam = np.sqrt(3 * (1 - w) * (1 - w * g)), 1 - w * g, np.exp(-depth / cosine)
-    fluence = 3 * w * (transport + g) / (k ** 2 - cosine ** -2)  # of the part that goes as the beam, and its flux
+    fluence = 3 * w * (transport + g) / (k ** 2 - cosine ** -2)  # the part proportional to the beam, and its flux
     flux = (fluence / (3 * cosine) + w * g * cosine) / transport
     slope, far = k / (3 * transport), np.exp(-k * depth)
     down, up = 0.25 + 0.5 * slope, 0.25 - 0.5 * slope
@@ -128,10 +128,10 @@ def eddington(depth, albedo, asymmetry, cosine):
 
 
 class ThickCells(unittest.TestCase):
-    """Clouds of layers of any optical depth."""
+    """Clouds whose layers have any optical depth."""
 
     def budget(self, data, sun, levels, size=3, **options):
-        """Reflected, transmitted and absorbed shares in the columns of a slab far from its sides."""
+        """Reflected, transmitted and absorbed fractions in a column of a slab, far from its sides."""
         output, messages = light_of(data, sun, **{"GroundAlbedo": 0, "SkyLight": 0, **options})
         self.assertEqual(unexpected(messages), [])
         cosine = sun[2] / np.linalg.norm(sun)
@@ -139,7 +139,7 @@ class ThickCells(unittest.TestCase):
         return up[-1], down[0], (absorbed.sum() - 0.5 * (absorbed[0] + absorbed[-1])) / (levels - 1)
 
     def test_slabs(self):
-        """Energy to 0.5 %, and Eddington's approximation: to 0.001 where cells are thick, to 0.03 elsewhere; 0.06 with a sun 6 degrees high."""
+        """Energy is conserved to 0.5 %. Eddington's approximation is met to 0.001 by thick layers, to 0.03 by others, and to 0.06 with a sun 6 degrees high."""
         worst = collections.defaultdict(float)
         for layer in (0.01, 0.1, 1, 5, 25, 100, 1000):
             for albedo in (1, 0.99, 0.9):
@@ -157,7 +157,7 @@ class ThickCells(unittest.TestCase):
         print(dict(worst))
 
     def test_meshes(self):
-        """The same slab as an image, as hexahedra and as tetrahedra; as few levels as 5."""
+        """The same slab as an image, as hexahedra and as tetrahedra, with only 5 levels."""
         for layer in (1, 100):
             data = image((3, 3, 5), (1e3, 1e3, 0.25), lambda x, y, z: 0 * x + 4 * layer)
             hexahedra, tetrahedra = vtkAppendFilter(), vtkDataSetTriangleFilter()
@@ -171,7 +171,7 @@ class ThickCells(unittest.TestCase):
                 self.assertLess(abs(up - told[0]), 0.03, (layer, mesh.GetClassName(), up, told))
 
     def test_lumps(self):
-        """Lumps whose cells have depths up to 300, all of whose shadow falls on the ground: what goes up, down and into heat is what came in."""
+        """Lumps whose cells have optical depths up to 300, and whose whole shadow falls on the ground: outgoing and absorbed light add up to the incoming light."""
         def lumps(x, y, z):
             inside = (np.abs(x) < 5.5) & (np.abs(y) < 4.5) & (z > 1.5) & (z < 6.5)
             return np.where(inside, 10.0 ** (1.5 + np.sin(0.6 * x + 0.7 * y + 0.8 * z)), 0)
@@ -206,7 +206,7 @@ class Globe(unittest.TestCase):
         self.assertTrue(np.isfinite(light).all())
 
     def test_date(self):
-        """Subsolar point at the equinox and a solstice: latitude to 0.1 degrees, longitude by the equation of time."""
+        """Subsolar point at an equinox and two solstices: latitude to 0.1 degrees, longitude by the equation of time."""
         for date, lon, lat in (("2011-03-20 23:21", 15 * -11.35 + 1.9, 0.0), ("2011-06-21T12:00:00Z", 0.45, 23.43), ("2011-12-22 00:00", 179.5, -23.43)):
             output, messages = light_of(globe(), DateTime=date)
             self.assertEqual(unexpected(messages), [])
@@ -227,7 +227,7 @@ class Orientation(unittest.TestCase):
         cls.light = values(light_of(cls.cloud, (1, -1, 1))[0], "Sunlight").reshape(cls.SIZE[::-1])
 
     def stored(self, order, backwards):
-        """The grid with its axes (z, y, x: 0, 1, 2) in another order, the slowest one backwards or not; and a function that puts values back."""
+        """The grid with its axes (z, y, x: 0, 1, 2) in another order, the slowest one backwards or not; and a function that restores the order of values."""
         def there(a):
             a = np.moveaxis(a.reshape(self.SIZE[::-1] + a.shape[1:]), order, (0, 1, 2))
             return a[::-1] if backwards else a
@@ -264,7 +264,7 @@ class Orientation(unittest.TestCase):
                 np.testing.assert_allclose(values(light_of(grid, (1, 0.4, 0.3))[0], "Sunlight"), there(expected.ravel()).ravel(), atol=0.02)
 
     def test_up(self):
-        """The same cloud lying on its side; a date gives the sun of a horizon turned with it."""
+        """The same cloud lying on its side. A date gives the sun relative to the horizon, which is turned with the cloud."""
         for turn, up in (((0, 2, 1), (0, 2, 0)), ((2, 1, 0), (0.5, 0, 0))):  # y up, with north along -z; x up, with east along -z
             signs = np.where(np.array(turn) == np.arange(3), 1, np.where(np.array(turn) == 2, 1, -1))
             grid = vtkStructuredGrid()
@@ -303,7 +303,7 @@ class Orientation(unittest.TestCase):
 
 class Unstructured(unittest.TestCase):
     def test_globe(self):
-        """The same cells as a list of cells: up is away from the centre there too. Between the rows at the poles points are coarser."""
+        """The same cells as an unstructured grid: up is away from the centre there too. Near the poles points are coarser."""
         structured = globe(3.0)
         radii = np.linalg.norm(places(globe()), axis=1)
         add(structured, "Extinction", np.where((radii > 1.02) & (radii < 1.08), 12.0, 0.0))
@@ -321,7 +321,7 @@ class Unstructured(unittest.TestCase):
             self.assertLess(abs(a - b)[day].mean(), share * a[day].mean(), name)
 
     def test_clouds_cut_out_of_clear_air(self):
-        """A threshold leaves the light of a cloud as it was among clear air: no mirror stands at its sides. A slab that fills its box goes on beyond it."""
+        """A cloud cut out by a threshold has the same light as in clear air: its sides are no mirrors. The sides of a slab that fills its box are mirrors."""
         def cloud(x, y, z):
             r = np.sqrt((x / 500)**2 + (y / 500)**2 + ((z - 1000) / 450)**2) + 0.12 * np.sin(x / 90) * np.sin(y / 70) * np.sin(z / 80)
             return np.where(r < 1, 0.03 * np.minimum(1, 6 * (1 - r)), 0)
@@ -338,7 +338,7 @@ class Unstructured(unittest.TestCase):
             self.assertAlmostEqual(found, expected, delta=0.05 * expected)
 
     def test_residues_of_sampling_are_no_cloud(self):
-        """Tetrahedra are sampled: what interpolation leaves of 0 was lit by its rounding, up to 3e8."""
+        """Tetrahedra are sampled. Where interpolation left a rounding error in place of 0, the light was up to 3e8."""
         noise = np.random.default_rng(3).normal(size=(24, 20, 20))
         for axis, width in ((0, 2.5), (1, 2), (2, 2)):
             f = np.fft.fftfreq(noise.shape[axis]).reshape([-1 if a == axis else 1 for a in range(3)])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The light that leaves level clouds towards an eye, against an exact solution: from above, along the sun's azimuth and against it, through clouds much wider than deep."""
+"""The light that leaves level clouds towards an eye, compared with an exact solution: from above, towards the sun, from the side and away from the sun, in cells much wider than deep."""
 import pathlib
 import sys
 import unittest
@@ -23,7 +23,7 @@ VIEWS = (NADIR, AHEAD, ASIDE, BEHIND)
 
 
 def slab(depth, width):
-    """A level cloud of thickness 1, and of `width` between points."""
+    """A level cloud of thickness 1, with a horizontal distance of `width` between points."""
     data = vtkImageData()
     data.SetDimensions(5, 5, LEVELS)
     data.SetSpacing(width, width, 1 / (LEVELS - 1))
@@ -34,7 +34,7 @@ def slab(depth, width):
 
 
 class Column:
-    """Light in the middle column of a slab, as Follow Camera has it."""
+    """Light in the middle column of a slab, computed with FollowCamera."""
 
     def __init__(self, depth, sun, width=20.0):
         self.sun = np.array((np.sqrt(1 - sun**2), 0, sun))
@@ -69,7 +69,7 @@ class Column:
 
 class Exact(unittest.TestCase):
     def test_reference(self):
-        """A thin slab scatters once; a deep one with isotropic scattering reflects H(1)^2 / 8, with 2.9078 for the H function of Chandrasekhar (1950)."""
+        """A thin slab scatters once. A deep one with isotropic scattering reflects H(1)^2 / 8, where Chandrasekhar's H function (1950) is 2.9078."""
         for cosine, azimuth in VIEWS:
             angle = np.sqrt(0.51 * (1 - cosine**2)) * np.cos(azimuth) - 0.7 * cosine
             phase = (1 - ASYMMETRY**2) / (1 + ASYMMETRY**2 - 2 * ASYMMETRY * angle) ** 1.5
@@ -92,7 +92,7 @@ class Exact(unittest.TestCase):
         self.assertLess(np.abs(errors).max(), 0.45)
 
     def test_width_of_cells(self):
-        """What leaves the cloud does not depend on how wide its cells are."""
+        """The light that leaves the cloud does not depend on the width of its cells."""
         for depth in (0.3, 3):
             narrow, wide, very = (Column(depth, 0.5, width) for width in (4, 20, 2000))
             for view in VIEWS:
@@ -100,7 +100,7 @@ class Exact(unittest.TestCase):
                     self.assertAlmostEqual(other.radiance(*view), narrow.radiance(*view), delta=0.05 * narrow.radiance(*view))
 
     def test_flux_is_possible(self):
-        """As much light goes in one direction as there is light, or less; without that backs of thin clouds were black."""
+        """The flux of diffuse light is not larger than its fluence. When it was, thin clouds were black with the sun behind the eye."""
         for depth in DEPTHS:
             column = Column(depth, 0.5)
             diffuse = column.values("Sunlight") - column.values("SingleScattering").sum(axis=1)

@@ -1,14 +1,14 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """
-The light that a level slab of cloud reflects, exactly: doubling of thin layers (Hansen1971), in Fourier terms of the azimuth. Black ground, no sky,
-no absorption, Henyey-Greenstein.
+The exact light that a level slab of cloud reflects, by doubling of thin layers (Hansen1971) for each Fourier term of the azimuth. Black ground, no light
+of the sky, no absorption, Henyey-Greenstein phase function.
 """
 import numpy as np
 
 
 def legendre(order, cosines, terms):
-    """Associated Legendre functions of one order, normalized so that those of two directions give the phase function: an array (terms, cosines)."""
+    """Associated Legendre functions of one order, normalized so that their products for two directions add up to the phase function: an array (terms, cosines)."""
     x = np.asarray(cosines, float)
     table = np.zeros((terms, x.size))
     table[order] = np.prod([np.sqrt((1 - x * x) * (2 * k - 1) / (2 * k)) for k in range(1, order + 1)], axis=0)
@@ -20,8 +20,8 @@ def legendre(order, cosines, terms):
 
 def reflected(depth, asymmetry, sun, views, streams=16, orders=24, terms=120):
     """
-    pi times the radiance over the irradiance of the sun. `sun`: cosine of its zenith angle; `views`: pairs of the cosine of the zenith angle of the light that leaves,
-    and its azimuth from the one in which sunlight goes.
+    pi times the radiance, divided by the irradiance of the sun. `sun`: cosine of its zenith angle. `views`: pairs of the cosine of the zenith angle of the outgoing light
+    and its azimuth, relative to the direction in which sunlight travels.
     """
     nodes, weights = np.polynomial.legendre.leggauss(streams)
     cosines = np.concatenate([0.5 * (nodes + 1), [sun], [view[0] for view in views]])
@@ -32,13 +32,13 @@ def reflected(depth, asymmetry, sun, views, streams=16, orders=24, terms=120):
         coefficients = (2 * np.arange(terms) + 1) * asymmetry ** np.arange(terms)
         up, down = (legendre(order, sign * cosines, terms) for sign in (1, -1))
         forward, backward = ((up * coefficients[:, None]).T @ other for other in (up, down))
-        if order == 0:  # the quadrature conserves light
+        if order == 0:  # makes the quadrature conserve light
             whole = 0.5 * (forward + backward) @ weights
             forward, backward = forward / whole[:, None], backward / whole[:, None]
         thin = depth / 2**halves
         direct = np.exp(-thin / cosines)
         back, through = backward * thin / (2 * cosines[:, None]), forward * thin / (2 * cosines[:, None])
-        if order == 0:  # scattered twice in the thin layer
+        if order == 0:  # accounts for light scattered twice in the thin layer
             kept = cosines * (1 - direct) / ((weights * cosines) @ (back + through))
         back, through = back * kept, through * kept
         for _ in range(halves):

@@ -71,5 +71,5 @@ def globe(extinction=1e-7):
 
 
 def unexpected(messages):
-    """Those that are not about optical depths, which these tests choose as no cloud has them."""
+    """The messages that are no warnings of optical depths: these tests use optical depths that no cloud has."""
     return [message for message in messages if "vtkSunlightDepth" not in message]

@@ -116,7 +116,7 @@ def known_to_the_dialog(path):
 
 
 def computed(reader):
-    """Quantities that follow are read if they are chosen: the water of a cloud fraction, of which Cloud Optics makes clouds."""
+    """Derived quantities are read if they are chosen. Cloud Optics makes clouds from the water of a cloud fraction."""
     known = reader.Variables.Available
     assert {"potential_temperature", "cloud_content"} <= set(known) and "cloud_content" not in reader.Variables, known
     reader.Variables = ["t", "cc", "cloud_content"]

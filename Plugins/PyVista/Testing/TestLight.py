@@ -289,7 +289,7 @@ class Smoke(unittest.TestCase):
         self.assertGreater(overhead[54:57, 20].mean(), 1.3 * overhead[63:66, 20].mean())
         shaded = picture(sun=sun, exposure=1.0) / np.maximum(picture(sun=(0, 0, 1), exposure=1.0), 1)
         self.assertLess(shaded[57:63, 60].mean(), 0.75)
-        self.assertGreater(shaded[57:63, 8:11].mean(), 0.99)  # diffuse light goes some radii beyond the shadow
+        self.assertGreater(shaded[57:63, 8:11].mean(), 0.99)  # the shadow dims diffuse light some radii beyond its edge
         red = picture(sun=(0, 0, 1), color="red")[60, 60]
         self.assertTrue(red[0] > 50 and red[1] == red[2] == 0, red)
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fields that are nearly the same in all of a level, such as the geopotential height: a first picture shows their departures from the mean."""
+"""Fields that vary little within a level, such as the geopotential height: a first picture shows their departures from the mean."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -15,7 +15,7 @@ LEVELS = np.array([925.0, 850, 500, 200])
 
 
 def heights(lon, lat, names=("lat", "lon")):
-    """Geopotential height and temperature: a wave of 100 m on heights that increase upwards, and towards the equator."""
+    """Geopotential height: a wave of 100 m on heights that increase upwards and towards the equator. Also returns the wave."""
     east, north = np.meshgrid(lon, lat)
     wave = 100 * np.cos(np.radians(3 * east)) * np.cos(np.radians(north))
     level = 7000 * np.log(1013 / LEVELS)[:, None, None] * (1 - 0.1 * np.sin(np.radians(north)) ** 2)
@@ -36,7 +36,7 @@ class Departures(unittest.TestCase):
         return next(iter(plotter.scalar_bars.values())).GetTitle().replace("\n", " ")
 
     def test_waves_round_the_globe(self):
-        """Without the mean of each circle of latitude, on a globe and on a map, of data that begin anywhere."""
+        """The zonal mean is subtracted, on a globe and on a map, at whatever longitude the data begin."""
         for lon in (np.arange(0, 360, 10.0), np.arange(-180, 180, 10.0)):
             dataset, wave = heights(lon, np.arange(90, -91, -5.0))
             for options in ({}, {"projection": "map"}):
@@ -85,7 +85,7 @@ class Departures(unittest.TestCase):
         self.assertIn("minus level mean", self.title(plotter))
 
     def test_sections(self):
-        """Along a latitude without the mean of it, along a longitude without that of each level; in films too."""
+        """The zonal mean is subtracted along a latitude, and the mean of each level along a longitude; in films too."""
         dataset, _ = heights(np.arange(0, 360, 10.0), np.arange(90, -91, -5.0))
         for section, words in ((dataset.sel(lat=40), "minus zonal mean"), (dataset.sel(lon=40), "minus level mean")):
             with tempfile.TemporaryDirectory() as folder:
@@ -109,7 +109,7 @@ class Departures(unittest.TestCase):
             self.assertNotIn("mean", self.title(plotter))
 
     def test_films(self):
-        """Each step without its own mean; the range is that of all steps."""
+        """Each step has its own mean subtracted; the range is that of all steps."""
         first, wave = heights(np.arange(0, 360, 10.0), np.arange(90, -91, -5.0))
         data = xr.concat([first, first.assign(gh=(first.gh + 50 + wave).assign_attrs(first.gh.attrs))], "time").assign_coords(time=np.array(["2020-01-01", "2020-01-02"], "M8[ns]"))
         plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))

@@ -77,7 +77,7 @@ class Derived(unittest.TestCase):
         np.testing.assert_allclose(np.asarray(column["column"]), 3e-4 * (102000 - 70000) / GRAVITY, rtol=1e-5)  # from the ground to the uppermost level
 
     def test_the_usual_water_of_a_cloud_fraction(self):
-        """Without cloud water: 0.21 g/m3 at sea level, less by a factor e every 2281 m, times the fraction (Hack 1998), as in the light of clouds; with a warning."""
+        """Without cloud water, it is 0.21 g/m3 at sea level, less by a factor e every 2281 m, times the fraction (Hack 1998), as for lit clouds. A warning says so."""
         dataset = moist(temperature=260.0, cl=(0.5, "cloud_area_fraction_in_atmosphere_layer"))
         with self.assertWarnsRegex(UserWarning, "There is no cloud water, but a cloud fraction, 'cl'.*Hack 1998"):
             mesh = dataset.nephoscope.globe(derive="cloud_content")

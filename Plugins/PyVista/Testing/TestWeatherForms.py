@@ -297,7 +297,7 @@ class Forms(unittest.TestCase):
 
 
 class Words(unittest.TestCase):
-    """What other programs write in words."""
+    """Units and names as other programs write them."""
 
     def test_units_of_axes(self):
         for north, east in (("degrees north", "degrees east"), ("Degree_North", "Degree_East"), ("deg N", "deg E"), ("\u00b0N", "\u00b0E"), ("degreesN", "degreesE")):
@@ -311,7 +311,7 @@ class Words(unittest.TestCase):
             data = xr.Dataset({"q": (("k", "lat", "lon"), np.ones((4, 5, 6))), name: (("k", "lat", "lon"), values, attrs)}, axes)
             self.assertEqual(data.nephoscope.globe().dimensions, (6, 5, 4))
             self.assertIn(f"note: 'k' is vertical: '{name}' {'in' if name == 'height' else 'de'}creases along it", data.nephoscope.describe())
-        data[name] = data[name] * 0 + np.array([9e4, 5e4, 9e4, 5e4])[:, None, None]  # which is no axis
+        data[name] = data[name] * 0 + np.array([9e4, 5e4, 9e4, 5e4])[:, None, None]  # neither increases nor decreases
         with self.assertRaisesRegex(ValueError, "No vertical axis was found"):
             data.nephoscope.globe()
 
@@ -322,7 +322,7 @@ class Words(unittest.TestCase):
             data.nephoscope.globe()
 
     def test_winds_at_10_metres(self):
-        """They are the winds of a dataset that has no others."""
+        """They are used if a dataset has no other winds."""
         ones = xr.ones_like(isothermal(LON, LAT).ta.isel(plev=0, drop=True)).assign_attrs(units="m s**-1", standard_name="")
         level = xr.Dataset({"u10": 3 * ones.assign_attrs(units="m s**-1"), "v10": 4 * ones})
         for name in level:

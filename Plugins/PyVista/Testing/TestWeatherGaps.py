@@ -46,7 +46,7 @@ class Gaps(unittest.TestCase):
             self.assertFalse([text for text in told if "Nothing is drawn" in text])
 
     def test_a_film_of_a_field_on_every_second_level(self):
-        """Has the levels that `plot` draws, also if the field begins later, and also in a plotter with other contents."""
+        """It has the levels that `plot` draws, also if the field begins later or the plotter has other contents."""
         for first in (0, 1):
             steps = [{"dataDate": 20200101 + step} for step in range(3)]
             fields = [("gh", "isobaricInhPa", level, height, step) for step in steps for level, height in HEIGHTS.items()]

@@ -327,7 +327,7 @@ class Plots(unittest.TestCase):
                 self.assertIn("units 'K'", text)
 
     def test_names_that_are_no_strings(self):
-        """xarray allows tuples and numbers."""
+        """xarray allows tuples and numbers as names."""
         data = forecast()
         data = data.rename({"ta": ("t", 850), "cl": 5})
         for name, shown in ((("t", 850), "t_850"), ("t_850", "t_850"), (5, "5")):
@@ -342,7 +342,7 @@ class Plots(unittest.TestCase):
             self.assertIn("t_850", series.mesh.array_names)
 
     def test_rain_that_is_nowhere(self):
-        """It is transparent, with a warning; an opacity draws it. Precipitation is known by its short names."""
+        """It is transparent, with a warning; `opacity` makes it visible. Precipitation is recognised by its short names."""
         lon, lat = np.arange(0, 360, 20.0), np.arange(-80, 81, 20.0)
         for name, attrs, high in (("pop", {"units": "%", "long_name": "Probability of precipitation"}, 1), ("tp", {"units": "m"}, 1), ("tcc", {"units": "1"}, 1)):
             level = xr.Dataset({name: (("lat", "lon"), np.zeros((len(lat), len(lon))), attrs)}, {"lat": ("lat", lat, {"units": "degrees_north"}), "lon": ("lon", lon, {"units": "degrees_east"})})

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two fields, or one field at two times, in sub-plots and in one view: colours that can be compared, and bars beside each other."""
+"""Two fields, or one field at two times, in sub-plots and in one view: colours can be compared, and scalar bars do not overlap."""
 import unittest
 import warnings
 
@@ -25,7 +25,7 @@ class SideBySide(unittest.TestCase):
         return plotter
 
     def ranges(self, *calls):
-        """Those of the bars of sub-plots, and of what is drawn there."""
+        """Colour ranges of the scalar bars of sub-plots, which are those of what is drawn there."""
         plotter = self.plotter((1, len(calls)))
         for column, (dataset, name, options) in enumerate(calls):
             plotter.subplot(0, column)
@@ -40,7 +40,7 @@ class SideBySide(unittest.TestCase):
         return bars
 
     def test_one_field_at_two_times(self):
-        """One range; temperatures far apart, other fields, and those whose range was asked for have their own."""
+        """They have one range. Temperatures far apart, other fields, and those with a given range have their own."""
         level, volume = {"levels": 0}, {}
         for form, options in ((level, {}), (volume, {"opacity": "linear"}), (level, {"projection": "map"})):
             with self.subTest(form, **options):
@@ -53,7 +53,7 @@ class SideBySide(unittest.TestCase):
         self.assertEqual(self.ranges((near, "ta", {}), (celsius, "ta", {})), [(240, 300), (245, 305)])
 
     def test_bars_in_one_view(self):
-        """None hides another, and all are in the picture."""
+        """No bar hides another, and all are in the picture."""
         for options in ({}, {"projection": "map"}):
             for count in (2, 3):
                 plotter = self.plotter((1, 1))
@@ -61,7 +61,7 @@ class SideBySide(unittest.TestCase):
                     warnings.simplefilter("error")
                     for dataset, name in ((field(240, 300, 0), "ta"), (field(240, 300), "cl"), (field(240, 300), "potential_temperature"))[:count]:
                         dataset.nephoscope.plot(name, plotter=plotter, **options)
-                    plotter.screenshot()  # the opaque surface is not taken for a translucent one, of which there would be a warning
+                    plotter.screenshot()  # there would be a warning if the opaque surface were taken for a translucent one
                 boxes = np.array([(*bar.GetPosition(), *np.add(bar.GetPosition(), bar.GetPosition2())) for bar in plotter.scalar_bars.values()])
                 self.assertEqual(len(boxes), count)
                 self.assertTrue((boxes[:, :2] >= 0).all() and (boxes[:, 2:] <= 1).all())
@@ -70,7 +70,7 @@ class SideBySide(unittest.TestCase):
                         self.assertTrue((boxes[i, 2:] <= boxes[j, :2]).any() or (boxes[j, 2:] <= boxes[i, :2]).any(), boxes)
 
     def test_a_bar_of_the_user(self):
-        """It keeps its title and, where none of the new ones is in its way, its place."""
+        """It keeps its title, and its place unless a new bar needs it."""
         for options, args, moves in (({}, {}, False), ({"projection": "map"}, {}, True), ({}, {"vertical": True, "position_x": 0.05}, False), ({}, {"vertical": True, "position_x": 0.86, "position_y": 0.3}, True)):
             plotter = self.plotter((1, 1))
             globe = nephoscope.globe_surface()

@@ -88,7 +88,7 @@ class Views(unittest.TestCase):
             self.plotted(part.isel(time=1), "cc", sun=True, projection="map")
 
     def test_added_in_the_sun(self):
-        """Sun, camera and shadows of what add_cells and add_splats draw of a dataset are those of `plot`; a region fills the picture."""
+        """For a dataset, add_cells and add_splats use the sun, camera and shadows of `plot`. A region fills the picture."""
         blob = weather().expand_dims(time=1).assign_coords(time=np.array(["2020-06-21T06"], "M8[ns]"))
         everywhere = blob.assign(cc=blob["cc"] * 0 + np.cos(np.radians(6 * blob.longitude)) ** 2)
         part = blob.sel(longitude=slice(80, 120), latitude=slice(50, 10))

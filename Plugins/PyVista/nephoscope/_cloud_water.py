@@ -28,12 +28,12 @@ def is_fraction(mesh: pyvista.DataSet, name: str) -> bool:
 
 
 def usual_water(fraction: np.ndarray, heights: np.ndarray) -> np.ndarray:
-    """kg/m3, of clouds at heights above the level of the sea (m)."""
+    """The usual content of clouds in kg/m3; `heights` are in metres above sea level."""
     return np.clip(fraction, 0, 1) * CONTENT * np.exp(-np.clip(heights, 0, None) / SCALE_HEIGHT)
 
 
 def words_for(name: str) -> str:
-    """What is assumed, where `name` is a cloud fraction."""
+    """The warning that says what is assumed for the cloud fraction `name`."""
     return (f"There is no cloud water, but a cloud fraction, {name!r}: clouds have the water that is usual at their height, {1000 * CONTENT:g} g/m3 at sea level and less by a factor e every "
             f"{SCALE_HEIGHT / 1000:.1f} km (Hack 1998), times the fraction. If the data have cloud water, name it.")
 

@@ -55,19 +55,19 @@ def darken_for(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet) -
 
 
 def sun_for(data: Any, mesh: pyvista.DataSet, sun: Any) -> Any:
-    """The argument `sun` of `add_cells` with what ``dataset.nephoscope.plot`` adds to it for data of xarray on a globe: the date and the names of the water."""
+    """The argument `sun` of `add_cells`. For data of xarray on a globe, it includes what ``dataset.nephoscope.plot`` adds: the date and the names of the water arrays."""
     if not is_weather(data) or "GlobeGridProjection" not in mesh.field_data:
         return sun
     from .weather.in_the_sun import sun_of
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of which the mesh has told
+        warnings.simplefilter("ignore")  # the mesh has given these warnings
         reading = _accessor(data)._reading(None, {})
     return sun_of(sun, reading, mesh)
 
 
 def add_earth_for(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet, name: Any, is_lit: bool = False) -> None:
-    """Adds the Earth below data of xarray on a globe, if the active sub-plot is empty, with the shadows of lit clouds. A camera that is not set looks at the side on which the field has most.
-    `name`: of the field or, in the sun, the `scalars` that were asked for."""
+    """Adds the Earth below data of xarray on a globe, if the active sub-plot is empty, with the shadows of lit clouds. A camera that is not set looks at the side that has most of the field.
+    `name`: the name of the field or, in the sun, the argument `scalars`."""
     if not _has_earth(plotter, data, mesh):
         return
     from .weather.picture import add_earth, turn_to_field

@@ -174,7 +174,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     sun : sequence of 3 float, str, dict or True, optional
         Draws clouds lit by the sun: the direction towards the sun, a date and time in UTC such as ``"2011-10-11 18:30"``, or a dict of
         arguments of `sunlight` and `cloud_optics`: ``{'time': "2011-10-11 18:30", 'liquid': 'QC', 'units': 'g/kg'}``. True: uses the light in `grid`, or computes it with
-        `sunlight` if there is none, for data of xarray on a globe with the sun at their time, as ``dataset.nephoscope.plot`` does. Without an array ``Extinction``, ``'extinction'`` names the array that is the extinction coefficient, per unit of length:
+        `sunlight` if there is none; for data of xarray on a globe it uses the sun at their time, as ``dataset.nephoscope.plot`` does. Without an array ``Extinction``, ``'extinction'`` names the array that is the extinction coefficient, per unit of length:
         ``{'direction': (1, 0, 1), 'extinction': 'f'}``; otherwise `cloud_optics` computes it from the water of `grid`. The light then determines `scalars`, opacities and the unit
         distance; `cmap`, `clim` and `opacity_scale` may
         be given. A light from the sun takes the place of the lights of the renderer, unless it has scene lights, so that the ground is lit as well.

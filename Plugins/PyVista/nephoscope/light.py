@@ -326,7 +326,7 @@ def refuse_color(color: Any) -> None:
 
 def lit_medium(plotter: pyvista.BasePlotter, data: Any, mesh: pyvista.DataSet, sun: Any, cmap: Any, clim: Any, n_colors: int, exposure: float | None,
                tone_mapping: str) -> dict[str, Any]:
-    """The mesh with its light that `add_cells` and `add_splats` draw with `sun`, and the arguments for drawing it. The plotter gets the sun. `data`: what the mesh was made of."""
+    """The lit mesh that `add_cells` and `add_splats` draw with `sun`, and the arguments for drawing it. The plotter gets the sun. `data`: what the mesh was made from."""
     field = default_scalars(mesh)[1] if is_weather(data) else None
     mesh = lit(mesh, sun_for(data, mesh, sun))
     if field is not None:

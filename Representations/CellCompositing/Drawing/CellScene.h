@@ -83,7 +83,7 @@ public:
   void Clear();
 
   const CellGeometry& GetGeometry() const { return this->Geometry; }
-  /** To be called before the geometry is read between renders: false if the input has lost cells that it reads from there. */
+  /** Call this before reading the geometry between renders. False if the input no longer has the cells that the geometry reads from it. */
   bool RefreshGeometry() { return this->Geometry.Tetrahedra.Refresh(); }
   /** Colour and opacity; colour alone where the geometry has opacity scalars. */
   const TransferFunctionTable& GetTransferFunction() const { return this->Transfers[0]; }
@@ -119,8 +119,8 @@ public:
   }
   bool ContoursMakeLayers() const { return this->LayersOfContours; }
   /**
-   * Frees what nothing reads after it has been uploaded: the lists of neighbours, unless there are polygons. RenewUploaded() lets UpdateMethod
-   * make them again, for another upload.
+   * Frees the lists of neighbours after the upload, unless there are polygons, which need them. RenewUploaded() lets UpdateMethod make the
+   * lists again for another upload.
    */
   void ReleaseUploaded();
   void RenewUploaded() { this->Current.Topology = this->Released ? 0 : this->Current.Topology; }
@@ -183,7 +183,7 @@ private:
   bool ColorIsOne = false;
   FaceNeighbors Faces; // until rays have their own neighbours, or for the topological order
   ProjectionOrder Order;
-  bool Released = false;             // the lists of neighbours are not there any more
+  bool Released = false;             // the lists of neighbours have been freed
   std::vector<std::uint8_t> Visible; // for projection, per tetrahedron: not fully transparent
   std::vector<std::int32_t> Drawn;
   Versions Current;

@@ -36,7 +36,7 @@ struct PickMedium
   double ExtinctionScale;                              ///< per length of the ray
   /** The normalised scalar of a cell that is not linear in its tetrahedra, at a parameter of the ray. Empty: it is. */
   std::function<double(std::int64_t cell, double parameter)> Scalar = {};
-  /** The same of the opacity, where it has points' scalars of its own. */
+  /** The same for the opacity, if it has point scalars of its own. */
   std::function<double(std::int64_t cell, double parameter)> OpacityScalar = {};
   /** A contour surface, which takes its opacity from a ray at once. */
   struct Surface

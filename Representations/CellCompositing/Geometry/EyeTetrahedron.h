@@ -29,7 +29,7 @@ struct EyeTetrahedron
   /** Where the rays start: the eye itself, unless it lies nearer to a face. */
   std::array<double, 3> Start = { { 0, 0, 0 } };
   std::array<std::int32_t, 4> Vertices = { { 0, 0, 0, 0 } }; ///< corners of a divided hexahedron
-  /** Where a walk is: the tetrahedron (x) and FindOneNeighbor (y, z); the hexahedron (x); or the cell of a grid or a divided hexahedron (x), and its odd vertex or -1 (w). */
+  /** Where a walk is: the tetrahedron (x) and the result of FindOneNeighbor (y, z); the hexahedron (x); or the cell of a grid or a divided hexahedron (x), and its odd vertex or -1 (w). */
   std::array<std::int32_t, 4> Place = { { 0, 0, 0, 0 } };
   /** The same of the hexahedron, with its bent faces, that holds the start. */
   std::array<std::int32_t, 4> Hexahedron = { { 0, 0, 0, 0 } };

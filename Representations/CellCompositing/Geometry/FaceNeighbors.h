@@ -50,8 +50,8 @@ private:
 };
 
 /**
- * What FaceNeighbors::Get gives for some tetrahedra, across from one of their vertices (0 to 3), without any list of neighbours: tests all tetrahedra.
- * `places`: of all points (GetPlaces()), or empty where none coincide.
+ * The result of FaceNeighbors::Get for some tetrahedra, across from one of their vertices (0 to 3). It needs no list of neighbours, but tests all
+ * tetrahedra. `places`: those of all points (GetPlaces()), or empty if none coincide.
  */
 std::vector<std::int32_t> findNeighborsAcross(const CellGeometry& geometry,
   const std::vector<std::int32_t>& places, const std::vector<std::size_t>& tetrahedra, int vertex);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Tetrahedra by the numbers of their points: a list, or the cells of an unstructured grid that are the same ones, which takes no memory.
+ * Tetrahedra by the numbers of their points: a list; or, without a copy, the cells of an unstructured grid if they are the same tetrahedra.
  *
- * Cells of the input may change in place before anybody hears of it. Numbers that are none of a point are therefore read as 0.
+ * Cells of the input may change in place without notice. Numbers that no point has are therefore read as 0.
  */
 #ifndef TetrahedronList_h
 #define TetrahedronList_h
@@ -47,12 +47,12 @@ public:
   void Resize(std::size_t size);
   void Set(std::size_t i, const Tetrahedron& tetrahedron) { this->List[i] = tetrahedron; }
 
-  /** Reads the cells of `data` from now on, if number i of the list is cell i for all of them, in any order of its points. */
+  /** Reads the cells of `data` from now on, if every tetrahedron i is cell i of `data`; the order of its points may differ. */
   void ReadFrom(vtkDataSet* data);
   bool ReadsInput() const { return this->Ids != nullptr; }
-  /** The same cells, in a dataset that may be another one. False if they are not there any more; the list is empty then. */
+  /** Reads the same cells from `data`, which may be another dataset. False, with an empty list, if they are no longer there. */
   bool Follow(vtkDataSet* data);
-  /** To be called before the cells are read after others have run: false, and empty, if the input has fewer of them now. */
+  /** Call this before reading the cells after other code has run. False, with an empty list, if the input now has fewer cells. */
   bool Refresh();
 
 private:

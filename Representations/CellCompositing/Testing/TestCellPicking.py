@@ -202,7 +202,7 @@ class Picking(ImageTestCase):
         self.assertGreater(ours.GetPickedScalar(), 0.1)
 
     def test_trilinear_field_of_the_opacity(self):
-        """The same array twice gives the same place."""
+        """The same array for colour and for opacity gives the same pick as one array."""
         transfer = Transfer([(-1, 1, 1, 1), (1, 0, 0, 1)], [(-1, 0), (1, 3)])
         data = meshes.with_field(meshes.image((1, 1, 1), (2, 2, 2), (-1, -1, -1)), lambda p: p[:, 0] * p[:, 1])
         meshes.add_array(data.GetPointData(), meshes.vtk_to_numpy(data.GetPointData().GetArray("s")).copy(), "o")

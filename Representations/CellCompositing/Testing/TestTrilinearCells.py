@@ -362,7 +362,7 @@ class TrilinearCells(unittest.TestCase):
             self.assert_same(other, cut, f"as tetrahedra {view}")
 
     def test_an_opacity_array(self):
-        """Colour and opacity from two arrays on points, one steep; either of them on cells."""
+        """Colour and opacity from two arrays on points, one of them steep."""
         opacity = lambda _, made: made.SetOpacityArrayName("o")
         for name, data in (("rectilinear", rectilinear()), ("tapered", tapered())):
             with_values(data, smooth)

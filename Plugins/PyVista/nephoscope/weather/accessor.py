@@ -265,7 +265,8 @@ class WeatherAccessor:
         opacity, cmap, clim : optional
             As in `nephoscope.add_cells`. Water below the sea level is opaque by default, unless the field is zero almost everywhere.
             Temperatures of the air are drawn in the lowest level above the ground, and on the outer faces of a flat grid, unless ``opacity`` or another option of
-            volumes is given. Geopotentials, heights and pressures on levels are drawn minus the mean of the level or, around the globe, of the latitude, as the scalar bar says, unless one of these, ``cmap`` or ``clim`` is given.
+            volumes is given. Geopotentials, heights, pressures and densities on levels are drawn as departures from the mean of the level or, for data around the globe, from the zonal mean. The scalar bar
+            says which. If one of these options, ``cmap`` or ``clim`` is given, the values themselves are drawn.
         window_size : sequence of 2 int, optional
             Width and height of the picture in pixels. Default: (800, 800), and less high for a map that is wider than high.
         view : sequence of 2 float, str or sequence, optional
@@ -275,8 +276,8 @@ class WeatherAccessor:
         background : ColorLike, optional
             Colour behind the picture; text is black or white, whichever can be read. Default: that of PyVista's global theme, if it is not white, otherwise black.
         plotter : pyvista.Plotter, optional
-            Draw into the active sub-plot of this plotter, which keeps its size and its background, and do not show it: call ``plotter.show()``. A field that is in other sub-plots
-            as well, such as that of another time, has one range in all of them, unless `clim` is given or less than half of the ranges is common.
+            Draw into the active sub-plot of this plotter, which keeps its size and its background, and do not show it: call ``plotter.show()``. If the field is also in other
+            sub-plots, for example at another time, it has one colour range in all of them, unless `clim` is given or the ranges overlap by less than half.
         **options
             Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``contours``, ``layers``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
             ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``

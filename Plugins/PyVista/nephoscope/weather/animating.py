@@ -158,7 +158,7 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
 
 
 def _on_levels_of(name: str, dataset: Any, grid: pyvista.DataSet, options: dict) -> Any:
-    """The dataset on the levels on which the field has values at the first step that has any, as `plot` draws it; None if these are all. `grid`: of the first step."""
+    """The dataset on the levels where the field has values at the first step with any values, as `plot` draws it. None if these are all levels. `grid`: the mesh of the first step."""
     found = filled(dataset, grid, name, None, options) if "GlobeGridProjection" in grid.field_data else None
     if found is not None and found.time is not None:
         found = filled(dataset, grid, name, found.time, options)

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scalar bars of first pictures: labels with as many digits as the range needs, room for them in small windows and beside each other, and one range for fields that are to be compared."""
+"""Scalar bars of first pictures: labels with as many digits as the range needs, room for them in small windows and beside other bars, and one range for fields that are compared."""
 from __future__ import annotations
 
 import textwrap
@@ -19,9 +19,9 @@ from .view import size_of
 FONTS = {"title_font_size": 14, "label_font_size": 12}
 BESIDE = {"vertical": True, "position_x": 0.885, "position_y": 0.3, "width": 0.06, "height": 0.4, "n_labels": 4, **FONTS}  # the globe
 BELOW = {"vertical": False, "position_x": 0.25, "position_y": 0.02, "width": 0.5, "height": 0.09, "n_labels": 4, **FONTS}  # the map
-SHARED = (0.06, 0.94)  # of the height of the picture, for several upright bars, or of its width, for several lying ones
-GAP = (0.03, 0.08)  # between upright ones and lying ones
-ALIKE = 0.5  # of the range of two fields of one name, at least, is in the range of both, if they have one range
+SHARED = (0.06, 0.94)  # room for several bars, as fractions of the height of the picture (upright bars) or of its width (horizontal bars)
+GAP = (0.03, 0.08)  # between upright bars, between horizontal bars; fractions likewise
+ALIKE = 0.5  # fields with one title have one range if more than this fraction of the whole range is common to both
 RIGHT = 0.885  # left edge of an upright bar in a window that has room beside it, as a share of the width
 EDGE = 6  # pixels between text and the edge of the window
 NARROWEST = 26  # pixels of a bar with its labels' gap
@@ -39,17 +39,17 @@ def label_format(low: float, high: float, count: int) -> str:
     return next((text for text in formats if np.abs([float(text % value) - value for value in values]).max() <= PARTS * step), formats[-1])
 
 
-_finished: WeakKeyDictionary[vtkScalarBarActor, str | None] = WeakKeyDictionary()  # what a bar tells; None if its range was asked for
+_finished: WeakKeyDictionary[vtkScalarBarActor, str | None] = WeakKeyDictionary()  # title of each finished bar; None if its range was given
 
 
 def bars_in(plotter: pyvista.BasePlotter) -> list[vtkScalarBarActor]:
-    """Those of the active sub-plot."""
+    """The scalar bars of the active sub-plot."""
     return [bar for bar in plotter.scalar_bars.values() if plotter.renderer.HasViewProp(bar)]
 
 
 def finish_bars(plotter: pyvista.BasePlotter, before: list[vtkScalarBarActor], title: Callable[[str], str], clim: Any = None) -> None:
-    """Titles, labels and places of the scalar bars of a sub-plot that were not there `before`; upright ones may take room from the picture beside them. `title`: of the name of an array. `clim`: the range
-    that was asked for."""
+    """Sets titles, labels and places of the scalar bars of a sub-plot that were not there `before`. Upright bars may take room from the picture beside them. `title`: makes a title from the name of an array.
+    `clim`: the range, if one was given."""
     for key, bar in plotter.scalar_bars.items():
         if bar in before or not plotter.renderer.HasViewProp(bar):
             continue
@@ -76,7 +76,8 @@ def _label(bar: vtkScalarBarActor) -> None:
 
 
 def _share_range(plotter: pyvista.BasePlotter, key: str, bar: vtkScalarBarActor, text: str) -> None:
-    """One range for fields of one title in several sub-plots, such as those of two times, if their ranges are much alike; others, such as temperatures high and low, would have few colours."""
+    """Gives fields with one title in several sub-plots, such as those of two times, one range if their ranges are similar. In a common range, others,
+    such as temperatures at high and low levels, would have few colours."""
     alike = {key: bar, **{other: one for other, one in plotter.scalar_bars.items() if _finished.get(one) == text and _are_alike(bar.GetLookupTable(), one.GetLookupTable())}}
     ranges = np.array([one.GetLookupTable().GetRange() for one in alike.values()])
     for name, one in alike.items() if len(alike) > 1 else ():
@@ -95,7 +96,7 @@ def _overlap(*bars: vtkScalarBarActor) -> bool:
 
 
 def _place_side_by_side(bars: list[vtkScalarBarActor], upright: int) -> None:
-    """From the upper one down, or from the left one to the right."""
+    """Places upright bars from top to bottom, horizontal bars from left to right."""
     share, gap = (SHARED[1] - SHARED[0]) / len(bars), GAP[0 if upright else 1]
     for number, bar in enumerate(bars):
         if upright:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Fields that are nearly the same in all of a level, such as the geopotential height: as a volume they are a slab of layers, so that a first picture shows how much they depart from the mean."""
+"""Fields that vary little within a level, such as the geopotential height. As a volume they are a slab of uniform layers, so a first picture shows their departures from the mean."""
 from __future__ import annotations
 
 from typing import Any
@@ -12,11 +12,11 @@ from .._fields import PRESET_ENDING
 from ..globe import is_map, planet_radius
 from .prisms import HIDDEN_CELL, HIDDEN_POINT, LEVEL_SIZE
 
-BAND, SECTOR = 5.0, 30.0  # degrees of latitude that have one mean; degrees of longitude, all of which data around the globe have
+BAND, SECTOR = 5.0, 30.0  # degrees of latitude with one mean; degrees of longitude: data around the globe have points in all sectors
 
 
 def departures(grid: pyvista.DataSet, name: str) -> tuple[pyvista.DataSet, str]:
-    """`grid` with the array `name` minus its mean in each level, or in each level and latitude of data around the globe; and which of these it is."""
+    """`grid` with the array `name` minus its mean in each level or, for data around the globe, minus its zonal mean in each level; and words that say which."""
     on_points = name in grid.point_data
     data, mark = (grid.point_data, HIDDEN_POINT) if on_points else (grid.cell_data, HIDDEN_CELL)
     values = np.array(data[name], float)
@@ -46,7 +46,7 @@ def _degrees(grid: pyvista.DataSet, places: np.ndarray) -> tuple[Any, Any]:
 
 
 def _means(values: np.ndarray, there: np.ndarray, bands: np.ndarray, latitudes: np.ndarray) -> np.ndarray:
-    """The mean of the band of each value, interpolated between the mean latitudes of bands; NaN without any value."""
+    """For each value the mean of its band, interpolated between the mean latitudes of bands; NaN if there are no values."""
     count = np.bincount(bands[there], minlength=1)
     if not count.any():
         return np.full(len(values), np.nan)

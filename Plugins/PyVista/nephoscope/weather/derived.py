@@ -91,7 +91,7 @@ def vorticity(reading: Reading, air: Air) -> np.ndarray:
 
 
 def cloud_content(reading: Reading, air: Air) -> np.ndarray:
-    """kg/m3: the sum of the available cloud water, ice, rain, snow and graupel; without any of these, what is usual in clouds of the model's cloud fraction (Hack 1998)."""
+    """kg/m3: the sum of the available cloud water, ice, rain, snow and graupel. Without any of these, the usual water times the model's cloud fraction (Hack 1998)."""
     if not any(reading.has(role) for role in WATER) and reading.has("cloud_fraction"):
         reading.refuse_unusable(*WATER)
         reading.warn(words_for(reading.roles["cloud_fraction"]))

@@ -21,17 +21,17 @@ BY_VALUES = ("pressure", "height", "depth")  # kinds of levels whose heights do 
 
 
 class Part(NamedTuple):
-    """A part of a dataset in which a field has values, and its time."""
+    """A part of a dataset in which a field has values, and the time to draw."""
     dataset: xarray.Dataset
     time: Any
 
 
 def filled(dataset: xarray.Dataset, grid: pyvista.DataSet, name: str, time: Any, options: dict[str, Any]) -> Part | None:
-    """What to draw in place of the mesh `grid` of the dataset if the field has no values at the first time, or not on all levels; None if it has."""
+    """What to draw in place of `grid`, the mesh of the dataset, if the field has no values at the first time or on some levels; None if it has values on all levels."""
     if not is_sparse(grid, name):
         return None
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of which the mesh has told
+        warnings.simplefilter("ignore")  # the mesh has given these warnings
         reading = WeatherAccessor(dataset)._reading(time, options)
     if time is None and (step := step_with_values(dataset, reading, name)) is not None:
         return Part(dataset, step)

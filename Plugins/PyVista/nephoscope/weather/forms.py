@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a first picture shows in the place of a volume or a section in which nothing would be seen: a level, the faces of its grid, or departures from a mean."""
+"""What a first picture shows in place of a volume or a section in which nothing would be seen: the lowest level, the outer faces of the grid, or departures from a mean."""
 from __future__ import annotations
 
 from typing import Any, Callable
@@ -17,13 +17,13 @@ from .prisms import LEVEL_SIZE
 from .sea import is_sea
 from .sections import is_section
 
-FORM = "NephoscopeForm"  # field array that tells the form, for the scalar bar
+FORM = "NephoscopeForm"  # field array that names the form, for the scalar bar
 FILLING = ("temperature",)  # presets of fields that fill all of the air
 VOLUME = ("contours", "layers", "sun", "exposure", "tone_mapping", "opacity_scale", "opacity_unit_distance")  # options of volumes alone
 
 
 def form_of(grid: pyvista.DataSet, name: str, options: dict[str, Any]) -> Callable[[pyvista.DataSet], pyvista.DataSet] | None:
-    """What makes the form of the mesh that suits the array `name`; None if that is the mesh itself, or if one of the `options` asks for a volume."""
+    """The function that makes the form of the mesh that suits the array `name`; None if the mesh itself suits it, or if one of the `options` asks for a volume."""
     section = is_section(grid)
     if any(option in options for option in ("opacity", *VOLUME)) or cell_dimension(grid) < 3 and not section:
         return None
@@ -45,5 +45,5 @@ def _told(mesh: pyvista.DataSet, form: str) -> pyvista.DataSet:
 
 
 def told_form(title: Callable[[str], str], grid: pyvista.DataSet) -> Callable[[str], str]:
-    """`title` for scalar bars, with a line that tells the form."""
+    """`title` for scalar bars, with a line that names the form."""
     return (lambda array: f"{title(array)}\n{grid.field_data[FORM][0]}") if FORM in grid.field_data else title

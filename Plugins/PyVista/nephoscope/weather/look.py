@@ -29,7 +29,7 @@ _OF_WORDS = ((r"vorticity|divergence|anomaly|tendency|increment", "wind componen
              (r"wind|velocity|flux", "wind component"), (r"cloud.*(fraction|cover)|(fraction|cover).*cloud", "clouds"), (r"humidity|water[ _]vapou?r|dew[ _]point", "humidity"),
              (r"rain|snow|precipitation|reflectivity|graupel|hail", "rain"), (r"cloud|condensate|liquid[ _]water|ice[ _]water", "cloud water"), (r"smoke|dust|aerosol|soot|ash\b", "smoke"))
 _OF_QUANTITIES = {"equivalent_potential_temperature": "temperature", "water_vapour": "humidity", "cloud_content": "cloud water"}
-_IN_LEVELS = ("geopotential_height", "geopotential", "altitude", "pressure")  # roles of fields that are nearly the same in all of a level
+_IN_LEVELS = ("geopotential_height", "geopotential", "altitude", "pressure")  # roles of fields that vary little within a level
 _NEVER = re.compile(r"time|altitude|height|(?<!optical[ _])thickness|pressure|geopotential|cell[ _]area|mask")  # whatever else the name says
 
 
@@ -92,7 +92,7 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
 
 
 def _range_of(values: np.ndarray, moves: bool) -> tuple[float, float] | None:
-    """The range of values that are all equal, as in `add_cells`, or that are those of all times; None for others, of which PyVista finds it."""
+    """The range of values that are all equal, widened as in `add_cells`, or of the values of all times; None for others, whose range PyVista finds."""
     finite = values[np.isfinite(values)]
     if not finite.size or not moves and np.ptp(finite) > 0:
         return None
@@ -101,7 +101,7 @@ def _range_of(values: np.ndarray, moves: bool) -> tuple[float, float] | None:
 
 
 def _warn_of_nothing(values: np.ndarray, name: str, clim: tuple[float, float] | None) -> None:
-    """Warns where a surface is transparent at all values."""
+    """Warns if a surface is transparent at all its values."""
     finite = values[np.isfinite(values)]
     if clim is not None and finite.size and finite.max() <= clim[0]:
         told = f"is {finite.max():g} everywhere" if np.ptp(finite) == 0 else f"is {finite.min():g} to {finite.max():g}"

@@ -19,12 +19,12 @@ UNITLESS = ("", "1", "-", "~", "none", "unknown", "(0 - 1)", "0-1", "fraction", 
 
 
 def word(name: Any) -> str:
-    """The name of an array for any name that xarray allows: ("t", 850) is "t_850"."""
+    """The name of an array for any name that xarray allows: ("t", 850) becomes "t_850"."""
     return name if isinstance(name, str) else "_".join(map(str, name)) if isinstance(name, tuple) else str(name)
 
 
 def with_words(dataset: Any) -> Any:
-    """`dataset` with words for the names of its variables and dimensions that are none."""
+    """`dataset` with strings for those names of variables and dimensions that are not strings."""
     names = {name: word(name) for name in {*dataset.variables, *dataset.dims} if not isinstance(name, str)}
     return dataset.rename(names) if names else dataset
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def part_of(dataset: xarray.Dataset, name: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any], is_lit: bool = False) -> xarray.Dataset:
-    """What a picture of the field `name` shows of the dataset: a section, the field's level, or all of it. In the sun all clouds are drawn, whatever the field is."""
+    """The part of the dataset that a picture of the field `name` shows: a section, the field's level, or all of it. In the sun all clouds are drawn, whatever the field is."""
     if WeatherAccessor(dataset)._is_flat(options):
         return dataset
     section = as_section(dataset)

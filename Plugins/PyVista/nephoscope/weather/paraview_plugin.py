@@ -180,7 +180,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
             self._selection.RemoveArrayByName(name)
         for name in (*found["variables"], *found["computed"]):
             if not self._selection.ArrayExists(name):
-                self._selection.AddArray(name, name in found["variables"])  # what is computed only if it is asked for
+                self._selection.AddArray(name, name in found["variables"])  # derived quantities are off until they are chosen
         self._times, self._last_level, self._is_open = found["times"] or None, found["levels"] - 1, True
 
     def _mesh(self, step):

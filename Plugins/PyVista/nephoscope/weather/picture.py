@@ -141,7 +141,7 @@ def draw(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str | Non
 
 
 def turn_to_field(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, sun: np.ndarray | None = None) -> None:
-    """Turns the camera to the side of a globe that `draw` shows, or to a region; what has been drawn is in the middle of the picture."""
+    """Turns the camera to the side of a globe that `draw` shows, or to a region. What has been drawn is then in the middle of the picture."""
     look_at_region(plotter, grid)
     if not plotter.renderer.camera.is_set:
         look_down(plotter, grid, seen(grid), name, None, sun=sun)

@@ -76,7 +76,7 @@ def _plotted_globe(asked: Plot) -> pyvista.Plotter:
     name = default_scalars(grid)[1] if found is None else found
     if not asked.is_lit and (parts := filled(asked.dataset, grid, name, asked.time, options)) is not None:
         if parts.time != asked.time:
-            warnings.warn(f"{name!r} has no values at the first time: step {parts.time} is drawn, the first at which it has.", UserWarning, stacklevel=level_of_caller())
+            warnings.warn(f"{name!r} has no values at the first time: step {parts.time} is drawn, the first step with values.", UserWarning, stacklevel=level_of_caller())
         return plotted(replace(asked, scalars=name, dataset=parts.dataset, time=parts.time))
     look = asked.look
     if asked.is_lit:

@@ -114,7 +114,7 @@ class Reading:
                                 f"ds.isel({self._unplaced(dims)}=0). If the axes are lengths, the data are flat: ds.nephoscope.grid(x='...', y='...', z='...').")
 
     def _dim_of_heights(self, dims: list[str]) -> str | None:
-        """The dimension along which heights or pressures of every point increase, or decrease; None without such a variable."""
+        """The dimension along which the heights or pressures of all points increase, or all decrease; None if there is none."""
         for role in ("altitude", "geopotential_height", "pressure"):
             for name in candidates(ROLES[role], ((str(name), variable) for name, variable in self.dataset.variables.items() if variable.ndim > 1 and variable.dtype.kind in "fiu")):
                 others = [dim for dim in self.dataset[name].dims if dim in dims and not self._is_horizontal(dim)]

@@ -43,7 +43,7 @@ def axis_of_section(grid: pyvista.DataSet) -> str | None:
 
 
 def is_section(grid: pyvista.DataSet) -> bool:
-    """Whether this is a section of the globe, or a mean of it."""
+    """Whether `grid` is a section of the globe, or a mean along longitude or latitude."""
     return "GlobeGridProjection" in grid.field_data and axis_of_section(grid) is not None
 
 
