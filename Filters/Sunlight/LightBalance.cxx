@@ -214,7 +214,7 @@ void LightBalance::Compare(const DiffuseField& ordinates, const DiffuseField& kn
         edge.Extra = 0;
         const double found = 0.5 * (ordinates.Flux[p][axis] + ordinates.Flux[q][axis]);
         const double assumed = 0.5 * (known.Flux[p][axis] + known.Flux[q][axis]);
-        // The flux scatters `Forward` of itself in deep clouds, and nothing in thin ones: half of it converges in both.
+        // In deep clouds a change of the flux comes back as `Forward` of itself, in thin ones not at all. Half of it makes the iteration converge in both.
         const double settled = (found - 0.5 * edge.Forward * assumed) / (1 - 0.5 * edge.Forward);
         different(edge, settled, 0.5 * (edge.Out(a, b) + edge.In(a, b)));
       }

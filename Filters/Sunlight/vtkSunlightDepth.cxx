@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Warnings of optical depths that no cloud has, as of an array that is no extinction, or is one per another unit of length.
+// Warnings about implausible optical depths, for example because an array is not an extinction coefficient or has another unit of length.
 #include "vtkSunlight.h"
 
 #include "LitData.h"
@@ -80,14 +80,14 @@ void vtkSunlight::WarnOfDepth(vtkDataSet* data, const Work& work)
   if (cell > opaqueCell)
   {
     vtkWarningMacro(<< "Half of the cells have an optical depth above " << withOneDigit(cell)
-                    << " along their shortest edge, so that all that is seen are the outer faces. "
-                    << remedy << withOneDigit(this->ExtinctionScale / cell) << ", if '"
+                    << " along their shortest edge, so only the outer faces are visible. " << remedy
+                    << withOneDigit(this->ExtinctionScale / cell) << ", if '"
                     << this->UsedExtinction << "' is no extinction or has another unit.");
   }
   else if (densest > 0 && whole < clearData)
   {
     vtkWarningMacro(
-      << "The clouds are hardly seen: their greatest optical depth, across all of the data, is "
+      << "The clouds are hardly visible: their greatest optical depth, across all of the data, is "
       << withOneDigit(whole) << ". " << remedy << withOneDigit(this->ExtinctionScale * 10 / whole)
       << ", if '" << this->UsedExtinction << "' has another unit.");
   }

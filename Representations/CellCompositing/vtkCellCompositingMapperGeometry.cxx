@@ -49,7 +49,7 @@ bool vtkCellCompositingMapper::MayCrossWholeCells() const
 bool vtkCellCompositingMapper::IsTrilinear() const
 {
   const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  const bool simple = geometry.Lattice.Found && !this->Internals->HasCameraLight;
+  const bool simple = geometry.Lattice.Found && !this->Internals->Light.IsUsed();
   const bool holds = simple || !geometry.Hexahedra.empty();
   return !geometry.DividesHexahedra &&
     (this->CellInterpolation == TRILINEAR_INTERPOLATION ||

@@ -142,7 +142,7 @@ bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
   const nephoscope::CellScene& scene = this->Internals->Scene;
   const CellGeometry& geometry = scene.GetGeometry();
   if (!volume || !data || !renderer->GetRenderWindow() || !this->Internals->View ||
-    !this->Internals->Scene.RefreshGeometry())
+    !this->Internals->Scene.RefreshGeometry(data))
   {
     vtkErrorMacro("Nothing can be picked: add the volume to this renderer, and render first.");
     return false;

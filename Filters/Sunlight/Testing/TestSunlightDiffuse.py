@@ -321,7 +321,7 @@ class Unstructured(unittest.TestCase):
             self.assertLess(abs(a - b)[day].mean(), share * a[day].mean(), name)
 
     def test_clouds_cut_out_of_clear_air(self):
-        """A cloud cut out by a threshold has the same light as in clear air: its sides are no mirrors. The sides of a slab that fills its box are mirrors."""
+        """A cloud cut out by a threshold has the same light as in clear air: its sides are no mirrors."""
         def cloud(x, y, z):
             r = np.sqrt((x / 500)**2 + (y / 500)**2 + ((z - 1000) / 450)**2) + 0.12 * np.sin(x / 90) * np.sin(y / 70) * np.sin(z / 80)
             return np.where(r < 1, 0.03 * np.minimum(1, 6 * (1 - r)), 0)

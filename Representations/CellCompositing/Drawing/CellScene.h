@@ -84,7 +84,7 @@ public:
 
   const CellGeometry& GetGeometry() const { return this->Geometry; }
   /** Call this before reading the geometry between renders. False if the input no longer has the cells that the geometry reads from it. */
-  bool RefreshGeometry() { return this->Geometry.Tetrahedra.Refresh(); }
+  bool RefreshGeometry(vtkDataSet* data) { return this->Geometry.Tetrahedra.Refresh(data); }
   /** Colour and opacity; colour alone where the geometry has opacity scalars. */
   const TransferFunctionTable& GetTransferFunction() const { return this->Transfers[0]; }
   /** Opacity, read by the opacity scalars of the geometry where it has them. */

@@ -27,6 +27,7 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
+#include <string>
 #include <iterator>
 
 namespace nephoscope
@@ -88,6 +89,12 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
     error = error.empty()
       ? this->Hexahedra.Upload(window, geometry.Hexahedra.data(), vertices, 1, VTK_INT)
       : error;
+  }
+  else if (std::max(geometry.Tetrahedra.size(), neighbors.BoundaryFaces.size()) >
+    TetrahedronNeighbors::Most)
+  {
+    error = "The mesh has more tetrahedra than rays can number (" +
+      std::to_string(TetrahedronNeighbors::Most) + "): divide it, or draw it on more ranks.";
   }
   else
   {

@@ -16,6 +16,12 @@ namespace nephoscope
 {
 namespace
 {
+vtkDataArray* connectivityOf(vtkDataSet* data)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  return grid && grid->GetCells() ? grid->GetCells()->GetConnectivityArray() : nullptr;
+}
+
 Tetrahedron sorted(Tetrahedron t)
 {
   std::sort(t.begin(), t.end());
@@ -42,6 +48,7 @@ void TetrahedronList::ReadFrom(vtkDataSet* data)
 {
   TetrahedronList cells;
   cells.Size = this->Size;
+  cells.NumberOfPoints = static_cast<std::uint64_t>(data->GetNumberOfPoints());
   std::atomic<bool> same(cells.Attach(data));
   if (same)
   {
@@ -60,13 +67,12 @@ void TetrahedronList::ReadFrom(vtkDataSet* data)
 
 bool TetrahedronList::Follow(vtkDataSet* data)
 {
-  return !this->Input || this->Attach(data) || this->Refresh();
+  return this->Input ? this->Attach(data) : !this->Lost;
 }
 
 bool TetrahedronList::Attach(vtkDataSet* data)
 {
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
-  vtkDataArray* ids = grid && grid->GetCells() ? grid->GetCells()->GetConnectivityArray() : nullptr;
+  vtkDataArray* ids = connectivityOf(data);
   const int size = ids && ids->HasStandardMemoryLayout() ? ids->GetDataTypeSize() : 0;
   if ((size != sizeof(std::int32_t) && size != sizeof(std::int64_t)) ||
     ids->GetNumberOfValues() < static_cast<vtkIdType>(4 * this->Size))
@@ -74,19 +80,24 @@ bool TetrahedronList::Attach(vtkDataSet* data)
     return false;
   }
   this->Input = ids;
-  this->NumberOfPoints = static_cast<std::uint64_t>(grid->GetNumberOfPoints());
   return this->Refresh();
+}
+
+bool TetrahedronList::Refresh(vtkDataSet* data)
+{
+  return (!this->Input || connectivityOf(data) == this->Input.Get()) && this->Refresh();
 }
 
 bool TetrahedronList::Refresh()
 {
   if (!this->Input)
   {
-    return true;
+    return !this->Lost;
   }
   if (this->Input->GetNumberOfValues() < static_cast<vtkIdType>(4 * this->Size))
   {
     *this = TetrahedronList();
+    this->Lost = true;
     return false;
   }
   this->Ids = this->Input->GetVoidPointer(0);

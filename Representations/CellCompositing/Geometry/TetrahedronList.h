@@ -52,8 +52,10 @@ public:
   bool ReadsInput() const { return this->Ids != nullptr; }
   /** Reads the same cells from `data`, which may be another dataset. False, with an empty list, if they are no longer there. */
   bool Follow(vtkDataSet* data);
-  /** Call this before reading the cells after other code has run. False, with an empty list, if the input now has fewer cells. */
+  /** False, with an empty list from then on, if the input now has fewer cells. */
   bool Refresh();
+  /** Call this before reading the cells after other code has run. Also false if `data` now has another array: the memory of the old one may have been freed. */
+  bool Refresh(vtkDataSet* data);
 
 private:
   template <typename Id>
@@ -75,7 +77,8 @@ private:
   vtkSmartPointer<vtkDataArray> Input; // four numbers for each cell
   const void* Ids = nullptr;           // its values
   int IdSize = 0;
-  std::uint64_t NumberOfPoints = 0;
+  std::uint64_t NumberOfPoints = 0; // in ReadFrom
+  bool Lost = false;                // the input had too few cells
 };
 
 } // namespace nephoscope

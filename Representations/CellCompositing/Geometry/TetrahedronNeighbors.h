@@ -32,8 +32,7 @@ struct TetrahedronNeighbors
   enum : std::int32_t
   {
     None = -1,
-    Jump =
-      -2 ///< minus n: the ray goes on from the other tetrahedron's boundary face, n or n + 1
+    Jump = -2 ///< minus n: the ray goes on from the other tetrahedron's boundary face, n or n + 1
   };
   /** Four per tetrahedron: a tetrahedron, None, or Jump - n. Six per hexahedron: HexahedronNeighbors.h. */
   std::vector<std::int32_t> Neighbors;
@@ -69,6 +68,8 @@ struct TetrahedronNeighbors
     const std::vector<float>& third);
   /** The same, whatever the values are. */
   void MergePlaces(const std::vector<std::int32_t>& places);
+  /** Tetrahedra, or boundary faces, that Links can number. */
+  static constexpr std::size_t Most = (std::size_t(1) << 29) - 2;
   /**
    * What the GPU has of each tetrahedron (NeighborTopology.glsl): the exclusive-or of its vertices, and those of its last neighbour with each of the
    * others. Each neighbour includes the rank that the vertex behind the face has in it.

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The tetrahedra of any mesh (TetrahedronNeighbors.h), 16 bytes each: the exclusive-or of the four vertex numbers, which gives the fourth vertex when
 // three are known, and that of the neighbour across from the last vertex in ascending order with each of the three others, which gives all
-// neighbours when one is known: the one where the walk comes from. A neighbour is four times a tetrahedron, -1 for none or -2 - n for boundary
-// face n or n + 1; plus the rank that the vertex across from the face has in the tetrahedron there.
+// neighbours when one is known: the one where the walk comes from. A neighbour is four times a number: that of a
+// tetrahedron, plus the rank that the vertex across from the face has there; or -1 for none, or -2 - n for boundary face n or n + 1.
 // Constants: hasJumps.
 uniform IntegerArray tetrahedronLinks;
 

@@ -277,9 +277,16 @@ TEST(CellGeometry, TetrahedraOfAnInputThatChanges)
   ids->Resize(1000);
   EXPECT_TRUE(geometry.Tetrahedra.Refresh());
   EXPECT_EQ(geometry.Tetrahedra.Copy(), all);
+  EXPECT_TRUE(geometry.Tetrahedra.Refresh(other));
+  EXPECT_FALSE(geometry.Tetrahedra.Refresh(unitCubeOf(VTK_TETRA))) << "another dataset";
+  other->GetPoints()->InsertNextPoint(0, 0, 0);
+  ids->SetComponent(3, 0, double(other->GetNumberOfPoints() - 1));
+  EXPECT_TRUE(geometry.Tetrahedra.Follow(other));
+  EXPECT_EQ(geometry.Tetrahedra[0][3], 0) << "the geometry has no such point";
   ids->Resize(4);
   EXPECT_FALSE(geometry.Tetrahedra.Refresh());
   EXPECT_TRUE(geometry.Tetrahedra.empty());
+  EXPECT_FALSE(geometry.Tetrahedra.Follow(other)) << "to be made again";
 }
 
 // Cells are cut by places, not by numbers: blocks and ranks that number their points differently fit together.
