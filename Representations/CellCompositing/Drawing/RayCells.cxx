@@ -27,8 +27,8 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <string>
 #include <iterator>
+#include <string>
 
 namespace nephoscope
 {
