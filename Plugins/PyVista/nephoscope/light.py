@@ -29,7 +29,7 @@ SMOKE = {"albedo": 0.9, "asymmetry": 0.6}  # as Filters/Sunlight/SmokeOptics.cxx
 
 def _names(say: Callable[[str], str]) -> dict[str, str]:
     """Terms in messages of vtkSunlight, and their names in Python."""
-    return {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": f"name one by {say('extinction')}", "ExtinctionArrayName": say("extinction"),
+    return {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": f"name one by {say('extinction')}", "ExtinctionArrayName": say("extinction"), "ExtinctionScale": say("extinction_scale"),
             "SunDirection": say("direction"), "DateTime": say("time"), "set Up": f"set {say('up')}"}
 
 
