@@ -10,6 +10,7 @@
 #include "vtkGenericCell.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <cmath>
