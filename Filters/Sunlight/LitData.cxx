@@ -394,6 +394,7 @@ vtkSmartPointer<vtkDataSet> SampleFrame::Sampled(vtkDataSet* data, vtkImageData*
   probe->Update();
   return vtkDataSet::SafeDownCast(probe->GetOutputDataObject(0));
 }
+
 bool SampleFrame::FillSides(vtkDataSet* sampled, vtkImageData* image)
 {
   const auto* mask = vtkCharArray::SafeDownCast(
