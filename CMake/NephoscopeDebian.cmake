@@ -13,7 +13,8 @@ file(READ "${PROJECT_SOURCE_DIR}/LICENSE" nephoscope_licence)
 string(REGEX REPLACE "\n\n" "\n.\n" nephoscope_licence "${nephoscope_licence}")
 string(REGEX REPLACE "\n" "\n " nephoscope_licence "${nephoscope_licence}")
 configure_file("${CMAKE_CURRENT_LIST_DIR}/debian/copyright.in" "${nephoscope_debian}/copyright" @ONLY)
-install(FILES "${nephoscope_debian}/copyright" DESTINATION "${nephoscope_debian_documents}")
+file(CREATE_LINK copyright "${nephoscope_debian}/LICENSE" SYMBOLIC) # the name by which README.md links to it
+install(FILES "${nephoscope_debian}/copyright" "${nephoscope_debian}/LICENSE" DESTINATION "${nephoscope_debian_documents}")
 
 # The pages, with the pictures and the pages that they link to.
 install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CONTRIBUTING.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md" "${PROJECT_SOURCE_DIR}/CITATION.cff"

@@ -82,6 +82,19 @@ def in_python(name):
     assert smoothing.GetOutput().GetNumberOfPoints() == 21 ** 3
     assert nephoscope.__file__.startswith("/usr/lib/python3/dist-packages/"), nephoscope.__file__
     print(name, nephoscope.__file__)
+    no_dead_links("/usr/share/doc/nephoscope-paraview")
+
+
+def no_dead_links(documents):
+    """Every file that an installed page links to is installed."""
+    pages = glob.glob(f"{documents}/**/*.md", recursive=True)
+    dead = []
+    for page in pages:
+        with open(page, encoding="utf-8") as text:
+            links = re.findall(r"\]\(([^)#\s]+)", text.read())
+        dead += [f"{page}: {link}" for link in links if "://" not in link and not os.path.exists(os.path.join(os.path.dirname(page), link))]
+    assert pages and not dead, "dead links in the installed pages:\n" + "\n".join(dead)
+    print(len(pages), "pages without dead links")
 
 
 if len(sys.argv) > 1 and sys.argv[-1] == "python":
