@@ -132,12 +132,12 @@ BeamDeposit beamDeposit(const LightGrid& grid, const Parallel& parallel)
   BeamDeposit deposit;
   deposit.InLayer.assign(grid.Points(), 0.0f);
   deposit.Beam.assign(grid.Points(), 0.0f);
-  std::vector<RowSums> rows(grid.Size[1]);
+  std::vector<RowSums> rows(grid.Width(1));
   const std::size_t above = grid.Stride(2);
-  parallel(grid.Size[1], [&](int j) {
+  parallel(grid.Width(1), [&](int j) {
     for (int k = 0; k < grid.Size[2]; ++k)
     {
-      for (int i = 0; i < grid.Width(); ++i)
+      for (int i = 0; i < grid.Width(0); ++i)
       {
         const PointDeposit point(grid, { i, j, k });
         const std::size_t p = i + j * grid.Stride(1) + k * above;
@@ -168,11 +168,7 @@ BeamDeposit beamDeposit(const LightGrid& grid, const Parallel& parallel)
     deposit.InLayer[p] *= share * 0.5f * (grid.ShadowAt(p) + grid.ShadowAt(q));
     deposit.Beam[p] *= share * grid.ShadowAt(p);
   }
-  const std::size_t n = grid.Size[0]; // the sweeps visit both sides of a seam
-  for (std::size_t row = 0; grid.Periodic && row < grid.Points(); row += n)
-  {
-    deposit.Beam[row + n - 1] = deposit.Beam[row];
-  }
+  grid.CloseSeams(deposit.Beam); // the sweeps visit both sides of a seam
   return deposit;
 }
 }

@@ -52,7 +52,7 @@ ColumnMatrix ColumnLevels::Coarser(const ColumnMatrix& fine)
         coarse.Sum[q] += fine.Sum[p];
         coarse.Next[2][q] += fine.Next[2][p];
         coarse.Next[0][q] += i % 2 == 1 || i == nx - 1 ? 0.5f * fine.Next[0][p] : 0;
-        coarse.Next[1][q] += j % 2 == 1 ? 0.5f * fine.Next[1][p] : 0;
+        coarse.Next[1][q] += j % 2 == 1 || j == ny - 1 ? 0.5f * fine.Next[1][p] : 0;
       }
     }
   }
@@ -63,8 +63,9 @@ void ColumnLevels::Level::Factor(const Parallel& parallel)
 {
   const ColumnMatrix& m = this->Matrix;
   const int nx = m.Size[0];
-  const std::size_t above = m.Row(0, 1), north = nx;
+  const std::size_t above = m.Row(0, 1);
   parallel(m.Size[1], [&](int j) {
+    const int southern = j > 0 ? j - 1 : m.Size[1] - 1;
     for (int k = 0; k < m.Size[2]; ++k)
     {
       for (int i = 0; i < nx; ++i)
@@ -72,7 +73,7 @@ void ColumnLevels::Level::Factor(const Parallel& parallel)
         const std::size_t p = m.Row(j, k) + i;
         double rest = double(m.Sum[p]) + m.Next[0][p] + m.Next[1][p] + m.Next[2][p];
         rest += i > 0 ? m.Next[0][p - 1] : m.Next[0][p + nx - 1];
-        rest += j > 0 ? m.Next[1][p - north] : 0;
+        rest += m.Next[1][m.Row(southern, k) + i];
         if (k > 0)
         {
           const double lower = m.Next[2][p - above];
@@ -125,7 +126,7 @@ void ColumnLevels::Level::Residual(const Parallel& parallel)
 {
   const ColumnMatrix& m = this->Matrix;
   const int nx = m.Size[0], ny = m.Size[1];
-  const std::ptrdiff_t above = m.Row(0, 1), north = nx;
+  const std::ptrdiff_t above = m.Row(0, 1);
   parallel(ny, [&](int j) {
     for (int k = 0; k < m.Size[2]; ++k)
     {
@@ -153,8 +154,9 @@ void ColumnLevels::Level::Residual(const Parallel& parallel)
           r[i] -= coupling[i] * (x[i] - other[i]);
         }
       };
-      j > 0 ? flow(&m.Next[1][row - north], x - north) : void();
-      j + 1 < ny ? flow(&m.Next[1][row], x + north) : void();
+      const std::size_t south = m.Row((j + ny - 1) % ny, k), north = m.Row((j + 1) % ny, k);
+      flow(&m.Next[1][south], &this->Solution[south]);
+      flow(&m.Next[1][row], &this->Solution[north]);
       k > 0 ? flow(&m.Next[2][row - above], x - above) : void();
       k + 1 < m.Size[2] ? flow(&m.Next[2][row], x + above) : void();
     }

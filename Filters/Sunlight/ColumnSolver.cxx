@@ -25,11 +25,11 @@ template <typename Body>
 void ColumnSolver::ForRows(Body body)
 {
   const LightGrid& g = this->Grid;
-  this->Rows(g.Size[1], [&](int j) {
+  this->Rows(g.Width(1), [&](int j) {
     for (int k = 0; k < g.Size[2]; ++k)
     {
       const std::size_t row = j * g.Stride(1) + k * g.Stride(2);
-      for (std::size_t p = row; p < row + g.Width(); ++p)
+      for (std::size_t p = row; p < row + g.Width(0); ++p)
       {
         body(p);
       }
@@ -41,17 +41,17 @@ void ColumnSolver::Factor()
 {
   const LightGrid& g = this->Grid;
   ColumnMatrix matrix;
-  matrix.Size[0] = g.Width();
-  matrix.Size[1] = g.Size[1];
+  matrix.Size[0] = g.Width(0);
+  matrix.Size[1] = g.Width(1);
   matrix.Size[2] = g.Size[2];
   for (std::vector<float>* one : { &matrix.Next[0], &matrix.Next[1], &matrix.Next[2], &matrix.Sum })
   {
     one->assign(matrix.Points(), 0.0f);
   }
-  this->Rows(g.Size[1], [&](int j) {
+  this->Rows(g.Width(1), [&](int j) {
     for (int k = 0; k < g.Size[2]; ++k)
     {
-      for (int i = 0; i < g.Width(); ++i)
+      for (int i = 0; i < g.Width(0); ++i)
       {
         const int index[3] = { i, j, k };
         const std::size_t p = i + j * g.Stride(1) + k * g.Stride(2), q = matrix.Row(j, k) + i;
@@ -75,12 +75,12 @@ void ColumnSolver::Factor()
 void ColumnSolver::Precondition(const std::vector<double>& right, std::vector<double>& x)
 {
   const LightGrid& g = this->Grid;
-  const std::size_t width = g.Width();
+  const std::size_t width = g.Width(0), rows = g.Width(1);
   const auto forRows = [&](const auto& body) {
-    this->Rows(g.Size[1], [&](int j) {
+    this->Rows(g.Width(1), [&](int j) {
       for (int k = 0; k < g.Size[2]; ++k)
       {
-        body(j * g.Stride(1) + k * g.Stride(2), (std::size_t(k) * g.Size[1] + j) * width);
+        body(j * g.Stride(1) + k * g.Stride(2), (k * rows + j) * width);
       }
     });
   };
@@ -99,11 +99,13 @@ void ColumnSolver::Multiply(const std::vector<double>& x, std::vector<double>& p
 {
   const LightGrid& g = this->Grid;
   const std::size_t above = g.Columns(), north = g.Stride(1);
-  const int width = g.Width();
-  this->Rows(g.Size[1], [&](int j) {
+  const int width = g.Width(0);
+  this->Rows(g.Width(1), [&](int j) {
+    const int southern = g.Before(j, 1), northern = g.After(j, 1);
     for (int k = 0; k < g.Size[2]; ++k)
     {
-      const std::size_t row = j * north + k * above;
+      const std::size_t row = j * north + k * above, southOf = southern * north + k * above,
+                        northOf = northern * north + k * above;
       for (int i = 0; i < width; ++i)
       {
         const std::size_t p = row + i;
@@ -111,8 +113,8 @@ void ColumnSolver::Multiply(const std::vector<double>& x, std::vector<double>& p
         double sum = this->Diagonal[p] * x[p];
         sum -= before >= 0 ? this->Next[0][row + before] * x[row + before] : 0;
         sum -= after >= 0 ? this->Next[0][p] * x[row + after] : 0;
-        sum -= j > 0 ? this->Next[1][p - north] * x[p - north] : 0;
-        sum -= j + 1 < g.Size[1] ? this->Next[1][p] * x[p + north] : 0;
+        sum -= southern >= 0 ? this->Next[1][southOf + i] * x[southOf + i] : 0;
+        sum -= northern >= 0 ? this->Next[1][p] * x[northOf + i] : 0;
         sum -= k > 0 ? this->Next[2][p - above] * x[p - above] : 0;
         sum -= k + 1 < g.Size[2] ? this->Next[2][p] * x[p + above] : 0;
         product[p] = sum;
@@ -125,12 +127,12 @@ void ColumnSolver::Multiply(const std::vector<double>& x, std::vector<double>& p
 double ColumnSolver::Dot(const std::vector<double>& a, const std::vector<double>& b)
 {
   const LightGrid& g = this->Grid;
-  this->Rows(g.Size[1], [&](int j) {
+  this->Rows(g.Width(1), [&](int j) {
     double sum = 0;
     for (int k = 0; k < g.Size[2]; ++k)
     {
       const std::size_t row = j * g.Stride(1) + k * g.Stride(2);
-      sum = std::inner_product(a.begin() + row, a.begin() + row + g.Width(), b.begin() + row, sum);
+      sum = std::inner_product(a.begin() + row, a.begin() + row + g.Width(0), b.begin() + row, sum);
     }
     this->RowSums[j] = sum;
   });

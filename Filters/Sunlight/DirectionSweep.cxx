@@ -47,9 +47,13 @@ DirectionSweep::DirectionSweep(const LightGrid& grid, const std::vector<float>& 
   : Grid(grid)
   , Directions(directions)
   , Rows(parallel)
-  , Seams(directions.size(), std::vector<float>(grid.Periodic ? grid.Points() / grid.Size[0] : 0))
   , NoRates(grid.Size[0], 0.0f)
 {
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    this->Seams[axis].assign(directions.size(),
+      std::vector<float>(grid.Closed[axis] ? grid.Points() / grid.Size[axis] : 0));
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     this->Rates[axis].resize(grid.Points());
@@ -122,52 +126,84 @@ void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) cons
   }
 }
 
-// The light of one direction in a plane. Outside, the medium goes on as it is at the boundary.
+// The light of one direction in a plane. Outside an open grid the medium goes on as it is at the boundary; light across a seam is that of the last run.
 void DirectionSweep::SweepPlane(Cone& cone, std::size_t d, int level, RowSweep& sweep)
 {
   const LightGrid& g = this->Grid;
   const Direction& to = this->Directions[cone.First + d];
-  const int width = g.Size[0], rows = g.Size[1], alongX = to.X > 0 ? 1 : -1,
-            alongY = to.Y > 0 ? 1 : -1, alongZ = to.Z > 0 ? 1 : -1;
-  const int start = alongX > 0 ? 0 : width - 1,
-            across = alongX > 0 ? width - 2 : 1; // which is met across the seam
-  const std::ptrdiff_t columns = g.Columns();
-  sweep.Slopes[0] = std::abs(to.X);
-  sweep.Slopes[1] = std::abs(to.Y);
-  sweep.Slopes[2] = std::abs(to.Z);
-  float* radiance = cone.Radiance[0][d].data();
-  for (int b = 0; b < rows; ++b)
+  const int width = g.Size[0], rows = g.Size[1], alongY = to.Y > 0 ? 1 : -1,
+            start = alongY > 0 ? 0 : rows - 1;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const int j = alongY > 0 ? b : rows - 1 - b;
-    const std::ptrdiff_t row = std::ptrdiff_t(j) * width, p = level * columns + row,
-                         y = b > 0 ? -std::ptrdiff_t(alongY) * width : 0, z = -alongZ * columns;
-    sweep.Here = { &g.Extinction[p], &cone.Emission[0][d][row], radiance + row };
-    sweep.Beside = sweep.Here.Moved(y);
-    sweep.Before = { &g.Extinction[p + z], &cone.Emission[1][d][row], &cone.Radiance[1][d][row] };
-    sweep.Diagonal = sweep.Before.Moved(y);
+    sweep.Slopes[axis] = std::abs(axis == 0 ? to.X : axis == 1 ? to.Y : to.Z);
+  }
+  float* radiance = cone.Radiance[0][d].data();
+  if (!g.Closed[1])
+  {
+    sweep.Rates[1] = this->NoRates.data();
+    this->SweepRow(cone, d, level, start, 0, sweep);
+  }
+  else
+  {
+    const int across = alongY > 0 ? rows - 2 : 1; // which is met across the seam
+    float *seam = &this->Seams[1][cone.First + d][std::size_t(level) * width],
+          *beside = radiance + std::ptrdiff_t(across) * width;
+    std::copy_n(seam, width, beside);
     sweep.Rates[1] =
-      b > 0 ? &this->Rates[1][p + std::min<std::ptrdiff_t>(y, 0)] : this->NoRates.data();
-    sweep.Rates[2] = &this->Rates[2][p + std::min<std::ptrdiff_t>(z, 0)];
-    float* seam = g.Periodic ? &this->Seams[cone.First + d][p / width] : nullptr;
-    if (seam)
-    {
-      radiance[row + across] = *seam;
-      const std::ptrdiff_t edge = alongX > 0 ? across : 0;
-      sweep.Rates[0] = &this->Rates[0][p + edge] - start;
-      sweep.Run(start, 1, alongX, across - start);
-    }
-    else
-    {
-      sweep.Rates[0] = this->NoRates.data();
-      sweep.Run(start, 1, alongX, 0);
-    }
-    sweep.Rates[0] = width > 1 ? &this->Rates[0][p] + std::min(-alongX, 0) : this->NoRates.data();
-    sweep.Run(start + alongX, width - 1, alongX, -alongX);
-    if (seam)
-    {
-      *seam = radiance[row + across];
-      radiance[row + start] = radiance[row + width - 1 - start];
-    }
+      &this->Rates[1][level * g.Columns() + std::size_t(alongY > 0 ? across : 0) * width];
+    this->SweepRow(cone, d, level, start, across - start, sweep);
+  }
+  for (int b = 1; b < rows; ++b)
+  {
+    const int j = start + alongY * b;
+    sweep.Rates[1] =
+      &this->Rates[1][level * g.Columns() + std::size_t(std::min(j, j - alongY)) * width];
+    this->SweepRow(cone, d, level, j, -alongY, sweep);
+  }
+  if (g.Closed[1])
+  {
+    const float* beside = radiance + std::ptrdiff_t(alongY > 0 ? rows - 2 : 1) * width;
+    std::copy_n(beside, width, &this->Seams[1][cone.First + d][std::size_t(level) * width]);
+    std::copy_n(radiance + std::ptrdiff_t(rows - 1 - start) * width, width,
+      radiance + std::ptrdiff_t(start) * width);
+  }
+}
+
+// A row of it, whose row upstream is `beside` rows away.
+void DirectionSweep::SweepRow(
+  Cone& cone, std::size_t d, int level, int j, int beside, RowSweep& sweep)
+{
+  const LightGrid& g = this->Grid;
+  const Direction& to = this->Directions[cone.First + d];
+  const int width = g.Size[0], alongX = to.X > 0 ? 1 : -1, start = alongX > 0 ? 0 : width - 1;
+  const std::ptrdiff_t columns = g.Columns(), row = std::ptrdiff_t(j) * width,
+                       p = level * columns + row, y = std::ptrdiff_t(beside) * width,
+                       z = to.Z > 0 ? -columns : columns;
+  float* radiance = cone.Radiance[0][d].data() + row;
+  sweep.Here = { &g.Extinction[p], &cone.Emission[0][d][row], radiance };
+  sweep.Beside = sweep.Here.Moved(y);
+  sweep.Before = { &g.Extinction[p + z], &cone.Emission[1][d][row], &cone.Radiance[1][d][row] };
+  sweep.Diagonal = sweep.Before.Moved(y);
+  sweep.Rates[2] = &this->Rates[2][p + std::min<std::ptrdiff_t>(z, 0)];
+  const int across = alongX > 0 ? width - 2 : 1; // which is met across the seam
+  float* seam = g.Closed[0] ? &this->Seams[0][cone.First + d][p / width] : nullptr;
+  if (seam)
+  {
+    radiance[across] = *seam;
+    sweep.Rates[0] = &this->Rates[0][p + (alongX > 0 ? across : 0)] - start;
+    sweep.Run(start, 1, alongX, across - start);
+  }
+  else
+  {
+    sweep.Rates[0] = this->NoRates.data();
+    sweep.Run(start, 1, alongX, 0);
+  }
+  sweep.Rates[0] = width > 1 ? &this->Rates[0][p] + std::min(-alongX, 0) : this->NoRates.data();
+  sweep.Run(start + alongX, width - 1, alongX, -alongX);
+  if (seam)
+  {
+    *seam = radiance[across];
+    radiance[start] = radiance[width - 1 - start];
   }
 }
 

@@ -36,13 +36,15 @@ private:
   void RunCone(Cone& cone, const DiffuseField& known, const std::vector<float>& ground);
   void Emit(Cone& cone, const DiffuseField& known, int level) const;
   void SweepPlane(Cone& cone, std::size_t direction, int level, class RowSweep& sweep);
+  void SweepRow(Cone& cone, std::size_t direction, int level, int row, int beside, RowSweep& sweep);
 
   const LightGrid& Grid;
   const std::vector<Direction>& Directions;
   const Parallel& Rows;
   std::vector<std::vector<float>>
     Beams; ///< what the beam scatters into each direction, times 4 pi / albedo / extinction
-  std::vector<std::vector<float>> Seams;   ///< radiance where the grid closes, of the last run
+  std::array<std::vector<std::vector<float>>, 2>
+    Seams; ///< radiance where the grid closes along an axis, of the last run
   std::array<std::vector<float>, 3> Rates; ///< 1 / Step
   std::vector<float> NoRates;
 };

@@ -56,11 +56,11 @@ LightBalance::LightBalance(
 template <typename Body>
 void LightBalance::ForPoints(Body body) const
 {
-  this->Rows(this->Grid.Size[1], [&](int j) {
+  this->Rows(this->Grid.Width(1), [&](int j) {
     for (int k = 0; k < this->Grid.Size[2]; ++k)
     {
       const std::size_t row = j * this->Grid.Stride(1) + k * this->Grid.Stride(2);
-      for (int i = 0; i < this->Grid.Width(); ++i)
+      for (int i = 0; i < this->Grid.Width(0); ++i)
       {
         body(row + i, Index{ i, j, k });
       }
@@ -262,7 +262,7 @@ void LightBalance::Solve(const DiffuseField* ordinates, DiffuseField& field, dou
   field.Clear(this->Grid.Points());
   this->ForPoints(
     [&](std::size_t p, const Index& at) { this->WritePoint(p, at, ordinates, field); });
-  this->CloseSeam(field);
+  this->CloseSeams(field);
 }
 
 // The flux is the mean of those before and after the point; ordinates add what such a mean of theirs lacks.
@@ -328,15 +328,11 @@ void LightBalance::SettleGround(std::size_t p, DiffuseField& field) const
   field.Vertical[p] = static_cast<float>(2 * down + field.Flux[p][2]);
 }
 
-void LightBalance::CloseSeam(DiffuseField& field) const
+void LightBalance::CloseSeams(DiffuseField& field) const
 {
-  const std::size_t n = this->Grid.Size[0];
-  for (std::size_t row = 0; this->Grid.Periodic && row < this->Grid.Points(); row += n)
-  {
-    field.Fluence[row + n - 1] = field.Fluence[row];
-    field.Flux[row + n - 1] = field.Flux[row];
-    field.Vertical[row + n - 1] = field.Vertical[row];
-  }
+  this->Grid.CloseSeams(field.Fluence);
+  this->Grid.CloseSeams(field.Flux);
+  this->Grid.CloseSeams(field.Vertical);
 }
 
 // Negative values in a column are repeatedly balanced by the columns beside it.
@@ -357,9 +353,9 @@ void LightBalance::SpreadDebt(std::vector<double>& power) const
           beside.push_back(c + x - i);
         }
       }
-      for (const int y : { j - 1, j + 1 })
+      for (const int y : { g.Before(j, 1), g.After(j, 1) })
       {
-        if (power[c] < 0 && y >= 0 && y < g.Size[1])
+        if (power[c] < 0 && y >= 0)
         {
           beside.push_back(c + (y - j) * g.Stride(1));
         }
@@ -400,7 +396,7 @@ void LightBalance::Finish(DiffuseField& field) const
       field.Flux[p][2] = up ? kept - other : other - kept;
     }
   }
-  this->CloseSeam(field);
+  this->CloseSeams(field);
 }
 
 std::vector<float> LightBalance::Absorption() const
@@ -415,11 +411,7 @@ std::vector<float> LightBalance::Absorption() const
       half(this->Edges[2][p]) + (at[2] > 0 ? half(this->Edges[2][p - this->Grid.Columns()]) : 0.0);
     absorbed[p] = static_cast<float>(volume > 0 ? std::max(sum, 0.0) / volume : 0);
   });
-  const std::size_t n = this->Grid.Size[0];
-  for (std::size_t row = 0; this->Grid.Periodic && row < absorbed.size(); row += n)
-  {
-    absorbed[row + n - 1] = absorbed[row];
-  }
+  this->Grid.CloseSeams(absorbed);
   return absorbed;
 }
 }

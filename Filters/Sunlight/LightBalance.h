@@ -90,7 +90,7 @@ private:
     std::size_t p, const Index& at, const DiffuseField* ordinates, DiffuseField& field) const;
   void SpreadDebt(std::vector<double>& power) const;
   void SettleGround(std::size_t p, DiffuseField& field) const;
-  void CloseSeam(DiffuseField& field) const;
+  void CloseSeams(DiffuseField& field) const;
 
   const LightGrid& Grid;
   const Parallel& Rows;

@@ -4,6 +4,7 @@
 #ifndef nephoscope_LightGrid_h
 #define nephoscope_LightGrid_h
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,7 +20,7 @@ struct LightGrid
   static constexpr float Night = 1e4f; ///< depth towards a sun behind the planet; others are less
 
   int Size[3] = { 0, 0, 0 };
-  bool Periodic = false; ///< the last points along the first axis are in the place of the first
+  bool Closed[2] = { false, false }; ///< along an axis: the last points are the first again
   std::vector<Vector>
     Step; ///< distance to the next point along each axis; at the last point that to the one before
   std::vector<Vector>
@@ -45,17 +46,32 @@ struct LightGrid
   float Transmittance(std::size_t p) const { return std::exp(-this->Depth[p]); }
   float ShadowAt(std::size_t p) const { return this->Shadow.empty() ? 1.0f : this->Shadow[p]; }
   float BeamAt(std::size_t p) const { return this->ShadowAt(p) * this->Transmittance(p); }
-  /** Points along the first axis that are not another's. */
-  int Width() const { return this->Size[0] - (this->Periodic ? 1 : 0); }
+  bool IsClosed(int axis) const { return axis < 2 && this->Closed[axis]; }
+  /** Points along an axis that are not another's. */
+  int Width(int axis) const { return this->Size[axis] - (this->IsClosed(axis) ? 1 : 0); }
   /** The index after this one, or -1. */
   int After(int index, int axis) const
   {
-    const int n = axis == 0 ? this->Width() : this->Size[axis];
-    return index + 1 < n ? index + 1 : axis == 0 && this->Periodic ? 0 : -1;
+    return index + 1 < this->Width(axis) ? index + 1 : this->IsClosed(axis) ? 0 : -1;
   }
   int Before(int index, int axis) const
   {
-    return index > 0 ? index - 1 : axis == 0 && this->Periodic ? this->Width() - 1 : -1;
+    return index > 0 ? index - 1 : this->IsClosed(axis) ? this->Width(axis) - 1 : -1;
+  }
+
+  /** Gives the last points of closed axes the values of the first. */
+  template <typename Value>
+  void CloseSeams(std::vector<Value>& values) const
+  {
+    const std::size_t nx = this->Size[0], ny = this->Size[1];
+    for (std::size_t row = 0; this->Closed[0] && row < values.size(); row += nx)
+    {
+      values[row + nx - 1] = values[row];
+    }
+    for (std::size_t level = 0; this->Closed[1] && level < values.size(); level += nx * ny)
+    {
+      std::copy_n(values.begin() + level, nx, values.begin() + level + nx * (ny - 1));
+    }
   }
 };
 

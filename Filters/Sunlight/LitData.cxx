@@ -57,7 +57,7 @@ public:
     this->Axes.Axes.resize(this->Places.size());
     this->ForLevels([this](const std::array<int, 3>& at) { this->MakePoint(at); });
     this->ForLevels([this](const std::array<int, 3>& at) { this->WidenPole(at); });
-    this->Grid.Periodic = this->IsClosed();
+    this->Grid.Closed[0] = this->IsClosed();
   }
 
 private:
