@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
@@ -46,14 +47,14 @@ bool GridRays::IsFitting(const std::vector<std::int32_t>& merged) const
       const bool isPole = this->IsPole(at);
       for (int i = 0; i < n; ++i, ++p)
       {
-        if (merged[p] != (isPole || (this->Closed && i == n - 1) ? row : p))
+        if (merged[p] != (isPole || (this->Closed[0] && i == n - 1) ? row : p))
         {
           return false;
         }
       }
     }
   }
-  return !this->Closed || n % 2 == 1;
+  return !this->Closed[0] || n % 2 == 1;
 }
 
 bool GridRays::Connect(const std::vector<std::int32_t>& merged)
@@ -61,7 +62,7 @@ bool GridRays::Connect(const std::vector<std::int32_t>& merged)
   if (!merged.empty())
   {
     const std::int64_t middle = this->Grid.PointNumber(0, this->Grid.Size[1] / 2, 0);
-    this->Closed =
+    this->Closed[0] =
       this->Grid.Size[0] > 3 && merged[middle + this->Grid.Size[0] - 1] == merged[middle];
     this->Poles = FindPoles(this->Grid, merged);
   }
@@ -71,6 +72,14 @@ bool GridRays::Connect(const std::vector<std::int32_t>& merged)
 void GridRays::Turn(std::vector<SunPoint> points)
 {
   this->Points = std::move(points);
+  for (int axis = 0; axis < 2 && this->IsRepeated; ++axis)
+  {
+    Index last{ { 0, 0, 0 } };
+    last[axis] = this->Grid.Size[axis] - 1;
+    const SunPoint &a = this->Points[0],
+                   &b = this->Points[this->Grid.PointNumber(last[0], last[1], last[2])];
+    this->Periods[axis] = { { b.X - a.X, b.Y - a.Y, b.Z - a.Z } };
+  }
   this->Clouds = LastClouds(this->Points);
   for (std::int64_t cell = 0; cell < this->Grid.NumberOfCells(); ++cell)
   {
@@ -89,18 +98,27 @@ void GridRays::Turn(std::vector<SunPoint> points)
 
 bool GridRays::HasPoint(int index, int axis) const
 {
-  return (this->Closed && axis == 0) || (index >= 0 && index < this->Grid.Size[axis]);
+  return this->Closed[axis] || (index >= 0 && index < this->Grid.Size[axis]);
 }
 
-int GridRays::Wrapped(int i) const
+int GridRays::Wrapped(int index, int axis) const
 {
-  const int n = this->Grid.Size[0] - 1;
-  return !this->Closed ? i : i < 0 ? i + n : i >= n ? i - n : i;
+  const int n = this->Grid.Size[axis] - 1;
+  return !this->Closed[axis] ? index : index < 0 ? index + n : index >= n ? index - n : index;
 }
 
-const SunPoint& GridRays::PointAt(const Index& at) const
+SunPoint GridRays::PointAt(const Index& at) const
 {
-  return this->Points[this->Grid.PointNumber(this->Wrapped(at[0]), at[1], at[2])];
+  const Index stored{ { this->Wrapped(at[0], 0), this->Wrapped(at[1], 1), at[2] } };
+  SunPoint point = this->Points[this->Grid.PointNumber(stored[0], stored[1], stored[2])];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double turn = at[axis] > stored[axis] ? 1 : at[axis] < stored[axis] ? -1 : 0;
+    point.X += turn * this->Periods[axis][0];
+    point.Y += turn * this->Periods[axis][1];
+    point.Z += turn * this->Periods[axis][2];
+  }
+  return point;
 }
 
 // The longest edge at a point, across the direction of the sun.
@@ -143,15 +161,13 @@ bool GridRays::BeginIn(const Index& at, const Index& side, Path& path) const
 {
   constexpr int odd = GridWalk::odd;
   const auto moved = [&](int x, int y, int z) {
-    return Index{ { this->Wrapped(at[0] + x * side[0]), at[1] + y * side[1],
-      at[2] + z * side[2] } };
+    return Index{ { at[0] + x * side[0], at[1] + y * side[1], at[2] + z * side[2] } };
   };
   std::array<int, 3> lowest;
   for (int axis = 0; axis < 3; ++axis)
   {
-    lowest[axis] = at[axis] + (side[axis] < 0 ? -1 : 0);
+    lowest[axis] = this->Wrapped(at[axis] + (side[axis] < 0 ? -1 : 0), axis);
   }
-  lowest[0] = this->Wrapped(lowest[0]);
   const bool isThere = !this->IsHidden(lowest[0] +
     (this->Grid.Size[0] - 1) * (lowest[1] + std::int64_t(this->Grid.Size[1] - 1) * lowest[2]));
   const auto goes = [&](const Index& oddVertex, const Index& towards, Index labels, bool isBetween,
@@ -164,6 +180,7 @@ bool GridRays::BeginIn(const Index& at, const Index& side, Path& path) const
     if (turn != 0)
     {
       path.Walk = GridWalk(this->Grid, this->Closed, oddVertex, towards, labels, isBetween);
+      this->Follow(path);
     }
     return turn != 0;
   };
@@ -207,13 +224,29 @@ bool GridRays::BeginBeside(const Index& at, Path& path) const
   return false;
 }
 
+// Across a seam, to where the grid is stored.
+void GridRays::Follow(Path& path) const
+{
+  const Index turns = path.Walk.TakeTurns();
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const std::array<double, 3>& period = this->Periods[axis];
+    path.Ray.Move(turns[axis] * period[0], turns[axis] * period[1], turns[axis] * period[2]);
+  }
+}
+
 bool GridRays::Begin(std::int32_t point, Path& path) const
 {
   const int nx = this->Grid.Size[0], ny = this->Grid.Size[1];
-  Index at{ { this->Wrapped(point % nx), point / nx % ny, point / nx / ny } };
+  Index at{ { this->Wrapped(point % nx, 0), this->Wrapped(point / nx % ny, 1), point / nx / ny } };
   const SunPoint& here = this->PointAt(at);
   path.End = this->Clouds.HeightAt(here.X, here.Y);
   path.Left = this->Grid.NumberOfCells();
+  if (this->IsRepeated) // a low sun: not around for ever
+  {
+    path.End = std::numeric_limits<double>::max();
+    path.Left = std::int64_t(100) * (this->Grid.Size[0] + this->Grid.Size[1] + this->Grid.Size[2]);
+  }
   if (here.Z >= path.End)
   {
     return false;
@@ -241,6 +274,10 @@ std::array<double, 2> GridRays::DepthsFrom(std::int32_t point) const
   {
     const bool isThere = !this->IsHidden(path.Walk.CellNumber());
     path.Walk.Leave(path.Ray.Step(this->Points[path.Walk.Vertex()], isThere));
+    if (path.Walk.HasTurned())
+    {
+      this->Follow(path);
+    }
   }
   return path.Ray.Depths();
 }

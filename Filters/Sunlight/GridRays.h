@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * Ways to the sun through the tetrahedra of a structured grid (ChessboardGrid.h), found from indices alone. Its first axis may close on itself, and
- * the rows at its ends may be poles. Plain C++17.
+ * the rows at its ends may be poles; or the grid repeats itself beyond its sides. Plain C++17.
  */
 #ifndef nephoscope_GridRays_h
 #define nephoscope_GridRays_h
@@ -28,6 +28,9 @@ public:
   /** Finds seam and poles. False if points coincide elsewhere, or cells do not fit at the seam. No points in `merged`: none coincide. */
   bool Connect(const std::vector<std::int32_t>& merged);
 
+  /** The grid repeats itself along the first and the second axis, which have an even number of cells: its last points are the first ones of the next copy. */
+  void Repeat() { this->Closed[0] = this->Closed[1] = this->IsRepeated = true; }
+
   void Turn(std::vector<SunPoint> points);
 
   std::array<double, 2> DepthsFrom(std::int32_t point) const override;
@@ -41,8 +44,9 @@ private:
   bool IsFitting(const std::vector<std::int32_t>& merged) const;
   bool IsPole(const Index& at) const;
   bool HasPoint(int index, int axis) const;
-  int Wrapped(int i) const;
-  const SunPoint& PointAt(const Index& at) const;
+  int Wrapped(int index, int axis) const;
+  SunPoint PointAt(const Index& at) const;
+  void Follow(Path& path) const;
   double SizeAt(const Index& at) const;
   bool Begin(std::int32_t point, Path& path) const;
   bool BeginBeside(const Index& at, Path& path) const;
@@ -54,7 +58,10 @@ private:
   std::vector<bool> Hidden;
   std::vector<SunPoint> Points;
   LastClouds Clouds;
-  bool Closed = false;
+  std::array<bool, 3> Closed{ { false, false, false } };
+  bool IsRepeated = false;
+  std::array<std::array<double, 3>, 2>
+    Periods{};             ///< from the first to the last point, if it is repeated
   std::vector<bool> Poles; ///< of the first and the last row of each level
 };
 }

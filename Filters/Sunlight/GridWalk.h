@@ -25,12 +25,11 @@ public:
 
   GridWalk() = default;
   /** Through a face with these labels into the tetrahedron on this side (1 or -1 along each axis) of an odd vertex, or between even ones. */
-  GridWalk(const ChessboardGrid& grid, bool closed, const Index& oddVertex, const Index& side,
-    const Index& face, bool isBetween)
+  GridWalk(const ChessboardGrid& grid, const std::array<bool, 3>& closed, const Index& oddVertex,
+    const Index& side, const Index& face, bool isBetween)
     : Labels(code(face, isBetween))
     , Moves(moves().data())
     , Odd(static_cast<std::int32_t>(grid.PointNumber(oddVertex[0], oddVertex[1], oddVertex[2])))
-    , Around(closed ? grid.Size[0] - 1 : 0)
   {
     std::int32_t stride = 1;
     const int beyond = next(face, isBetween);
@@ -39,6 +38,7 @@ public:
       this->Cells[axis] = grid.Size[axis] - 1;
       this->Cell[axis] = oddVertex[axis] + (side[axis] < 0 ? -1 : 0);
       this->Beside[axis] = side[axis] * stride;
+      this->Around[axis] = closed[axis] ? this->Cells[axis] * stride : 0;
       this->Offset += isBetween || beyond == axis ? this->Beside[axis] : 0;
       stride *= grid.Size[axis];
     }
@@ -58,6 +58,16 @@ public:
   }
   /** Its vertex beyond the face. */
   std::int32_t Vertex() const { return this->Odd + this->Offset; }
+
+  /** Whether the way went across a seam after the last TakeTurns, which says how often along each axis: 1 from the first cell to the last. */
+  bool HasTurned() const { return this->HasTurns; }
+  Index TakeTurns()
+  {
+    const Index turns = this->Turns;
+    this->Turns = { { 0, 0, 0 } };
+    this->HasTurns = false;
+    return turns;
+  }
 
   /** Leaves the tetrahedron where the new vertex replaces one of the face (0 to 2). */
   void Leave(int replaced)
@@ -148,21 +158,25 @@ private:
     {
       return true;
     }
-    if (axis > 0 || this->Around == 0)
+    if (this->Around[axis] == 0)
     {
       return false;
     }
-    const int around = cell < 0 ? this->Around : -this->Around;
-    cell += around;
-    this->Odd += around;
+    const int turn = cell < 0 ? 1 : -1;
+    cell += turn * this->Cells[axis];
+    this->Odd += turn * this->Around[axis];
+    this->Turns[axis] += turn;
+    this->HasTurns = true;
     return true;
   }
 
   std::int32_t Labels = 0;
   const Move* Moves = nullptr;
   std::int32_t Odd = 0, Offset = 0, Beside[3] = { 0, 0, 0 };
-  int Cell[3] = { 0, 0, 0 }, Cells[3] = { 0, 0, 0 }, Around = 0;
-  bool IsInside = true;
+  int Cell[3] = { 0, 0, 0 }, Cells[3] = { 0, 0, 0 };
+  std::int32_t Around[3] = { 0, 0, 0 }; // to the same point, along a closed axis
+  Index Turns{ { 0, 0, 0 } };
+  bool IsInside = true, HasTurns = false;
 };
 }
 

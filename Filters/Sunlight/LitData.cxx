@@ -237,19 +237,23 @@ std::unique_ptr<SunMesh> sunMeshOf(
 }
 
 std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
-  const std::vector<Fields>& fields, const Place& sun)
+  const std::vector<Fields>& fields, const Place& sun, bool repeats)
 {
   const Loop loop = [](std::int64_t count, const auto& body) {
     inParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
   };
   const HiddenCells hidden(data);
-  const bool mayCoincide = !vtkImageData::SafeDownCast(data);
+  const bool mayCoincide = !repeats && !vtkImageData::SafeDownCast(data);
   std::vector<std::int32_t> merged =
     mayCoincide ? mergedPoints(places) : std::vector<std::int32_t>();
   std::vector<SunPoint> points = sunPoints(places, fields, merged, sun, loop);
   const ChessboardGrid grid = findChessboardGrid(data);
   auto rays =
     std::make_unique<GridRays>(grid, grid.IsEmpty() ? std::vector<bool>() : hidden.Flags(data));
+  if (repeats)
+  {
+    rays->Repeat();
+  }
   if (!grid.IsEmpty() && rays->Connect(merged))
   {
     rays->Turn(std::move(points));

@@ -30,9 +30,9 @@ std::vector<float> valuesOf(
   vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
 
 std::vector<Place> placesOf(vtkDataSet* data);
-/** Ways to the sun; the fields are those that depths are integrals of. */
+/** Ways to the sun; the fields are those that depths are integrals of. A grid that repeats is one of RepeatedGrid.h. */
 std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
-  const std::vector<Fields>& fields, const Place& sun);
+  const std::vector<Fields>& fields, const Place& sun, bool repeats = false);
 
 /** The points in the order of a LightGrid, and the axes of each: unit vectors along the indices. */
 struct GridAxes

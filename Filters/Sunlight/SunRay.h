@@ -66,6 +66,18 @@ public:
     return turn;
   }
 
+  /** Goes on elsewhere, where a grid that repeats itself is stored. */
+  void Move(double x, double y, double z)
+  {
+    this->X += x;
+    this->Y += y;
+    this->Z += z;
+    for (double& height : this->FaceZ)
+    {
+      height += z;
+    }
+  }
+
   /** Through a tetrahedron with this vertex above the last face; `isThere` tells whether it counts. Returns which vertex of the face (0 to 2) the new one replaces. */
   int Step(const SunPoint& vertex, bool isThere = true)
   {

@@ -220,7 +220,7 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
     fields[p] = { { work.Extinction[p], work.Scaled[p] } };
   }
   const std::unique_ptr<nephoscope::SunPaths> paths =
-    nephoscope::sunPathsOf(data, work.Places, fields, work.Sun);
+    nephoscope::sunPathsOf(data, work.Places, fields, work.Sun, work.Repeats);
   work.Transmittance.assign(fields.size(), 0.0f);
   work.ScaledDepth.assign(fields.size(), nephoscope::LightGrid::Night);
   const auto trace = [&](vtkIdType begin, vtkIdType end) {
@@ -348,16 +348,26 @@ std::vector<double> vtkSunlight::State(vtkDataSet* input) const
   return { double(input->GetMTime()), timeOf(1), timeOf(2), this->SunDirection[0],
     this->SunDirection[1], this->SunDirection[2], this->Up[0], this->Up[1], this->Up[2],
     this->Longitude, this->Latitude, this->ExtinctionScale, this->Albedo, this->Asymmetry,
-    this->GroundAlbedo, this->SkyLight, double(this->MultipleScattering),
-    double(this->ZenithAngles), double(this->AzimuthAngles), number(this->DateTime),
-    number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
+    this->GroundAlbedo, this->SkyLight, double(this->PeriodicSides),
+    double(this->MultipleScattering), double(this->ZenithAngles), double(this->AzimuthAngles),
+    number(this->DateTime), number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
     number(this->AsymmetryArrayName) };
 }
 
 bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
 {
   if (!this->Check(data) || !this->CheckUp() || !this->FindSun(data, work.Sun) ||
-    !this->ReadOptics(data, work) || !this->GoOn(0.1) || !this->TraceSun(data, work))
+    !this->ReadOptics(data, work) || !this->GoOn(0.1))
+  {
+    return false;
+  }
+  return this->PeriodicSides && !this->OnSurface ? this->LightRepeated(data, work)
+                                                 : this->Light(data, work);
+}
+
+bool vtkSunlight::Light(vtkDataSet* data, Work& work)
+{
+  if (!this->TraceSun(data, work))
   {
     return false;
   }
@@ -436,7 +446,8 @@ int vtkSunlight::RequestData(
     nephoscope::addSmokeOptics(output, this->AlbedoArrayName, this->AsymmetryArrayName);
   this->UsedExtinction = isSmoke ? nephoscope::smokeExtinctionName : this->ExtinctionArrayName;
   const char* name = this->UsedExtinction.c_str();
-  if (!output->GetPointData()->HasArray(name) && output->GetCellData()->HasArray(name))
+  this->OnCells = !output->GetPointData()->HasArray(name) && output->GetCellData()->HasArray(name);
+  if (this->OnCells)
   {
     vtkSmartPointer<vtkDataSet> onCells;
     onCells.TakeReference(output->NewInstance());
@@ -476,6 +487,7 @@ void vtkSunlight::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DateTime: " << this->DateTime << "\n"
      << indent << "ExtinctionArrayName: " << this->ExtinctionArrayName << "\n";
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n"
+     << indent << "PeriodicSides: " << this->PeriodicSides << "\n"
      << indent << "GroundAlbedo: " << this->GroundAlbedo << "\n";
   os << indent << "FollowCamera: " << this->FollowCamera << "\n"
      << indent << "PhaseFunction: " << this->PhaseFunction << "\n";

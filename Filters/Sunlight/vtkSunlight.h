@@ -138,6 +138,17 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The clouds of an image, a rectilinear or a structured grid repeat themselves beyond its sides, as in models with periodic boundaries: they cast shadows into it, and diffuse
+   * light comes from them. If the extinction is equal on opposite sides, these are the same points; otherwise the next copy begins one step of the grid further. Off by
+   * default: no shadows come from beyond the sides, which are mirrors for diffuse light. Not for globes and unstructured data.
+   */
+  vtkSetMacro(PeriodicSides, bool);
+  vtkGetMacro(PeriodicSides, bool);
+  vtkBooleanMacro(PeriodicSides, bool);
+  ///@}
+
+  ///@{
   /** Includes light that is scattered more than once. On by default. Off: only the sun's beam is scattered, and the extinction is not scaled. */
   vtkSetMacro(MultipleScattering, bool);
   vtkGetMacro(MultipleScattering, bool);
@@ -236,6 +247,8 @@ private:
   bool AddLight(vtkDataSet* data, vtkDataSet* input);
   bool ReadOptics(vtkDataSet* data, Work& work);
   bool TraceSun(vtkDataSet* data, Work& work);
+  bool Light(vtkDataSet* data, Work& work);
+  bool LightRepeated(vtkDataSet* data, Work& work);
   bool Diffuse(vtkDataSet* data, Work& work);
   bool Sample(vtkDataSet* data, Work& work);
   void Write(vtkDataSet* data, const Work& work);
@@ -260,6 +273,7 @@ private:
   double Asymmetry = 0.85;
   double GroundAlbedo = 0.1;
   double SkyLight = 0.08;
+  bool PeriodicSides = false;
   bool MultipleScattering = true;
   int ZenithAngles = 3;
   int AzimuthAngles = 4;
@@ -272,6 +286,7 @@ private:
   double LastChange = 0;
   bool ToldOfPieces = false, ToldOfPlace = false;
   bool OnSurface = false;                              // without a medium, below clouds
+  bool OnCells = false;                                // the extinction
   vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for isEmptyInput and ReportOnce
   vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array

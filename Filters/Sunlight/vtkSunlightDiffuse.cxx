@@ -34,6 +34,8 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   {
     return this->Sample(data, work);
   }
+  grid.Closed[0] = grid.Closed[0] || work.Repeats;
+  grid.Closed[1] = work.Repeats;
   grid.Extinction = axes.Order.Of(work.Scaled);
   grid.Albedo = axes.Order.Of(work.Albedo);
   grid.Asymmetry = axes.Order.Of(work.Asymmetry);

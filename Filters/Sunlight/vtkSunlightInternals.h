@@ -24,6 +24,7 @@ struct vtkSunlight::Work
 {
   nephoscope::Planet Planet;
   std::array<double, 3> Sun;
+  bool Repeats = false; // on a RepeatedGrid
   std::vector<nephoscope::Place> Places;
   std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
   std::vector<float> Transmittance, ScaledDepth;

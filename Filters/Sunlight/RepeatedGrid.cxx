@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RepeatedGrid.h"
+
+#include "ChessboardDivision.h"
+
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+
+namespace nephoscope
+{
+RepeatedGrid::RepeatedGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
+  const std::vector<float>& values, bool sidesMeet)
+{
+  const ChessboardGrid chessboard = findChessboardGrid(data);
+  if (chessboard.IsEmpty() || planet.Radius > 0)
+  {
+    return;
+  }
+  this->Order = UprightOrder(
+    { { int(chessboard.Size[0]), int(chessboard.Size[1]), int(chessboard.Size[2]) } },
+    [&places](std::size_t p) { return places[p]; },
+    [&planet](const Place& place) { return planet.UpAt(place); });
+  this->Sizes = this->Order.GetSizes();
+  const std::vector<float> ordered = this->Order.Of(values);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    this->Meet[axis] = sidesMeet || this->AreEqual(axis, ordered);
+    const int cells = this->Sizes[axis] - (this->Meet[axis] ? 1 : 0);
+    this->Copies[axis] = cells % 2 == 0 ? 1 : 2;
+  }
+  this->Make(this->Order.Of(places));
+}
+
+std::size_t RepeatedGrid::Number(const Index& at) const
+{
+  return at[0] + std::size_t(this->Sizes[0]) * (at[1] + std::size_t(this->Sizes[1]) * at[2]);
+}
+
+// Calls body(first, last) for the numbers of points on opposite sides.
+template <typename Body>
+void RepeatedGrid::ForSides(int axis, Body body) const
+{
+  const int other = 1 - axis;
+  Index at{ { 0, 0, 0 } };
+  for (at[2] = 0; at[2] < this->Sizes[2]; ++at[2])
+  {
+    for (at[other] = 0; at[other] < this->Sizes[other]; ++at[other])
+    {
+      Index last = at;
+      last[axis] = this->Sizes[axis] - 1;
+      body(this->Number(at), this->Number(last));
+    }
+  }
+}
+
+bool RepeatedGrid::AreEqual(int axis, const std::vector<float>& values) const
+{
+  bool equal = true;
+  this->ForSides(axis,
+    [&](std::size_t first, std::size_t last) { equal = equal && values[first] == values[last]; });
+  return equal;
+}
+
+// Points along each axis, with those that close it.
+RepeatedGrid::Index RepeatedGrid::Extent() const
+{
+  Index extent = this->Sizes;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    extent[axis] = this->Copies[axis] * (this->Sizes[axis] - (this->Meet[axis] ? 1 : 0)) + 1;
+  }
+  return extent;
+}
+
+void RepeatedGrid::Make(const std::vector<Place>& places)
+{
+  Place periods[2];
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    Index last{ { 0, 0, 0 } };
+    last[axis] = this->Sizes[axis] - 1;
+    Index before = last;
+    --before[axis];
+    for (int c = 0; c < 3; ++c)
+    {
+      const double end = places[this->Number(last)][c];
+      periods[axis][c] =
+        end - places[0][c] + (this->Meet[axis] ? 0 : end - places[this->Number(before)][c]);
+    }
+  }
+  const Index extent = this->Extent();
+  const int widths[2] = { (extent[0] - 1) / this->Copies[0], (extent[1] - 1) / this->Copies[1] };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(vtkIdType(extent[0]) * extent[1] * extent[2]);
+  this->Sources.resize(points->GetNumberOfPoints());
+  this->Numbers.resize(places.size());
+  vtkIdType p = 0;
+  for (Index at{ { 0, 0, 0 } }; at[2] < extent[2]; ++at[2])
+  {
+    for (at[1] = 0; at[1] < extent[1]; ++at[1])
+    {
+      for (at[0] = 0; at[0] < extent[0]; ++at[0], ++p)
+      {
+        const std::size_t source =
+          this->Number({ { at[0] % widths[0], at[1] % widths[1], at[2] } });
+        Place place = places[source];
+        for (int c = 0; c < 3; ++c)
+        {
+          place[c] += at[0] / widths[0] * periods[0][c] + at[1] / widths[1] * periods[1][c];
+        }
+        points->SetPoint(p, place.data());
+        this->Sources[p] = source;
+        if (at[0] < this->Sizes[0] && at[1] < this->Sizes[1])
+        {
+          this->Numbers[this->Order.NumberOf(this->Number(at))] = p;
+        }
+      }
+    }
+  }
+  this->Grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  this->Grid->SetDimensions(extent.data());
+  this->Grid->SetPoints(points);
+}
+
+std::vector<float> RepeatedGrid::Of(std::vector<float> values) const
+{
+  values = this->Order.Of(values);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    if (this->Meet[axis])
+    {
+      this->ForSides(axis, [&values](std::size_t first, std::size_t last) {
+        values[first] = values[last] = 0.5f * (values[first] + values[last]);
+      });
+    }
+  }
+  std::vector<float> repeated(this->Sources.size());
+  std::transform(this->Sources.begin(), this->Sources.end(), repeated.begin(),
+    [&values](std::size_t source) { return values[source]; });
+  return repeated;
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * A structured grid whose clouds repeat themselves beyond its sides, as in models with periodic boundaries: one copy of it, closed by the first points of the
+ * next one. Where the values on opposite sides are equal, the sides are the same points; otherwise the next copy begins one step further.
+ */
+#ifndef nephoscope_RepeatedGrid_h
+#define nephoscope_RepeatedGrid_h
+
+#include "Planet.h"
+#include "SunFrame.h"
+#include "UprightOrder.h"
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+#include "vtkStructuredGrid.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace nephoscope
+{
+class RepeatedGrid
+{
+public:
+  /** `values` tell whether the sides are the same points; with `sidesMeet` they are. Its third index counts upwards. */
+  RepeatedGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
+    const std::vector<float>& values, bool sidesMeet);
+
+  /** None for other data than structured grids of three dimensions, and on a globe. */
+  bool Exists() const { return this->Grid != nullptr; }
+  vtkStructuredGrid* GetGrid() const { return this->Grid; }
+
+  /** Values at the points of this grid. Those of sides that are the same points are averaged. */
+  std::vector<float> Of(std::vector<float> values) const;
+
+  /** The number in this grid of a point of the data. */
+  std::size_t NumberOf(std::size_t point) const { return this->Numbers[point]; }
+
+private:
+  using Index = std::array<int, 3>;
+  bool AreEqual(int axis, const std::vector<float>& values) const;
+  template <typename Body>
+  void ForSides(int axis, Body body) const;
+  std::size_t Number(const Index& at) const;
+  Index Extent() const;
+  void Make(const std::vector<Place>& places);
+
+  UprightOrder Order;
+  Index Sizes{ { 0, 0, 0 } };                   // of the data
+  std::array<bool, 2> Meet{ { false, false } }; // sides along an axis are the same points
+  std::array<int, 2> Copies{ { 1, 1 } };        // an even number of cells: tetrahedra fit
+  vtkSmartPointer<vtkStructuredGrid> Grid;
+  std::vector<std::size_t> Sources,
+    Numbers; // of points of this grid in the ordered data, and the other way round
+};
+}
+
+#endif
