@@ -11,6 +11,24 @@
 
 namespace nephoscope
 {
+namespace
+{
+template <typename Body>
+void forPoints(const std::array<int, 3>& sizes, Body body)
+{
+  for (std::array<int, 3> at{ { 0, 0, 0 } }; at[2] < sizes[2]; ++at[2])
+  {
+    for (at[1] = 0; at[1] < sizes[1]; ++at[1])
+    {
+      for (at[0] = 0; at[0] < sizes[0]; ++at[0])
+      {
+        body(at);
+      }
+    }
+  }
+}
+}
+
 RepeatedGrid::RepeatedGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
   const std::vector<float>& values, bool sidesMeet)
 {
@@ -93,34 +111,28 @@ void RepeatedGrid::Make(const std::vector<Place>& places)
   }
   const Index extent = this->Extent();
   const int widths[2] = { (extent[0] - 1) / this->Copies[0], (extent[1] - 1) / this->Copies[1] };
+  const auto sourceOf = [&](const Index& at) {
+    return this->Number({ { at[0] % widths[0], at[1] % widths[1], at[2] } });
+  };
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(vtkIdType(extent[0]) * extent[1] * extent[2]);
-  this->Sources.resize(points->GetNumberOfPoints());
-  this->Numbers.resize(places.size());
-  vtkIdType p = 0;
-  for (Index at{ { 0, 0, 0 } }; at[2] < extent[2]; ++at[2])
-  {
-    for (at[1] = 0; at[1] < extent[1]; ++at[1])
+  std::vector<std::size_t> firstCopy(places.size());
+  forPoints(extent, [&](const Index& at) {
+    const std::size_t source = sourceOf(at);
+    const int turns[2] = { at[0] / widths[0], at[1] / widths[1] };
+    Place place = places[source];
+    for (int c = 0; c < 3; ++c)
     {
-      for (at[0] = 0; at[0] < extent[0]; ++at[0], ++p)
-      {
-        const std::size_t source =
-          this->Number({ { at[0] % widths[0], at[1] % widths[1], at[2] } });
-        Place place = places[source];
-        for (int c = 0; c < 3; ++c)
-        {
-          place[c] += at[0] / widths[0] * periods[0][c] + at[1] / widths[1] * periods[1][c];
-        }
-        points->SetPoint(p, place.data());
-        this->Sources[p] = source;
-        if (at[0] < this->Sizes[0] && at[1] < this->Sizes[1])
-        {
-          this->Numbers[this->Order.NumberOf(this->Number(at))] = p;
-        }
-      }
+      place[c] += turns[0] * periods[0][c] + turns[1] * periods[1][c];
     }
-  }
+    firstCopy[source] = turns[0] + turns[1] == 0 ? this->Sources.size() : firstCopy[source];
+    this->Sources.push_back(source);
+    points->InsertNextPoint(place.data());
+  });
+  this->Numbers.resize(places.size());
+  forPoints(this->Sizes, [&](const Index& at) {
+    this->Numbers[this->Order.NumberOf(this->Number(at))] = firstCopy[sourceOf(at)];
+  });
   this->Grid = vtkSmartPointer<vtkStructuredGrid>::New();
   this->Grid->SetDimensions(extent.data());
   this->Grid->SetPoints(points);

@@ -31,12 +31,12 @@ SLANTED = np.array([
     0.5934, 0.7445, 0.8095, 0.8527, 0.8686, 0.8823, 0.8647, 0.847, 0.8481, 0.8194, 0.794, 0.7625, 0.7293, 0.7075, 0.6687, 0.5997])
 
 
-def step_cloud(periods, levels, sun):
+def step_cloud(periods, levels, sun, **options):
     """Reflectance and transmittance of the 32 columns of the middle period."""
     def extinction(x, y, z):
         return np.where(np.floor(x / 0.015625 + 0.5) % 32 < 16, 2.0, 18.0) / 0.25
     data = image((32 * periods, 2, levels), (0.015625, 0.25, 0.25 / (levels - 1)), extinction)
-    output, messages = light_of(data, sun, GroundAlbedo=0, SkyLight=0)
+    output, messages = light_of(data, sun, GroundAlbedo=0, SkyLight=0, **options)
     assert messages == [], messages
     cosine = sun[2] / np.linalg.norm(sun)
     middle = slice(32 * (periods // 2), 32 * (periods // 2) + 32)

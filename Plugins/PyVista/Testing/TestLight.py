@@ -147,6 +147,17 @@ class Blocks(unittest.TestCase):
 
 
 class Up(unittest.TestCase):
+    def test_periodic(self):
+        """A ball in the corner of a model with periodic boundaries is lit as the same ball in its middle."""
+        mesh = ball(41)
+        corner = mesh.copy()
+        corner["Extinction"] = np.roll(mesh["Extinction"].reshape(21, 41, 41)[:, :-1, :-1], (20, 20), (1, 2))[:, np.arange(41) % 40][..., np.arange(41) % 40].ravel()
+        for options in ({"direction": (1, 0, 0.3)}, {"direction": (1, -2, 1)}):
+            light = [nephoscope.sunlight(one, periodic=True, **options)["Sunlight"].reshape(21, 41, 41)[:, :-1, :-1] for one in (mesh, corner)]
+            self.assertLess(np.abs(np.roll(light[0], (20, 20), (1, 2)) - light[1]).max(), 0.005)
+        with self.assertWarnsRegex(RuntimeWarning, "periodic needs an image.*pyvista.create_grid"):
+            nephoscope.sunlight(mesh.threshold(-1, scalars="Extinction"), periodic=True)
+
     def test_default_sun_turns_with_the_axis(self):
         upright = ball(21)
         turned = upright.cast_to_structured_grid().rotate_x(-90)  # z becomes y

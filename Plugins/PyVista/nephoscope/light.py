@@ -30,7 +30,7 @@ SMOKE = {"albedo": 0.9, "asymmetry": 0.6}  # as Filters/Sunlight/SmokeOptics.cxx
 def _names(say: Callable[[str], str]) -> dict[str, str]:
     """Terms in messages of vtkSunlight, and their names in Python."""
     return {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": f"name one by {say('extinction')}", "ExtinctionArrayName": say("extinction"), "ExtinctionScale": say("extinction_scale"),
-            "SunDirection": say("direction"), "DateTime": say("time"), "set Up": f"set {say('up')}"}
+            "SunDirection": say("direction"), "DateTime": say("time"), "PeriodicSides": say("periodic"), "make an image by Resample To Image": "make an image by pyvista.create_grid(mesh).sample(mesh)", "set Up": f"set {say('up')}"}
 
 
 _NAMES = _names(str)
@@ -43,7 +43,7 @@ FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *, time: str | datetime = "", place: Numbers | None = None, up: Numbers | str = "z",
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
-             extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, multiple_scattering: bool = True,
+             extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, periodic: bool = False, multiple_scattering: bool = True,
              zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
              phase_function: str = "henyey-greenstein", clouds: pyvista.DataSet | None = None) -> Mesh:
     """Add the light of sun and sky to a mesh with an extinction: shadows, dark bases and multiple scattering.
@@ -75,6 +75,10 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
         Fraction of the light that the ground below the mesh reflects, 0 to 1.
     sky_light : float, default: 0.08
         Irradiance from the sky under an overhead sun, as a fraction of the sun's irradiance, 0 to 10.
+    periodic : bool, default: False
+        The clouds of an image, a rectilinear or a structured grid repeat themselves beyond its sides, as in a model with periodic boundaries: they cast shadows into the grid and
+        scatter light into it. If the extinction is equal on opposite sides, these are the same points; otherwise the next copy begins one step of the grid further. False: no
+        shadows come from beyond the sides, which are mirrors for diffuse light.
     multiple_scattering : bool, default: True
         Includes light that is scattered more than once.
     zenith_angles, azimuth_angles : int
@@ -142,7 +146,7 @@ def _warn_of_wide_map(mesh: pyvista.DataSet, say: Callable[[str], str]) -> None:
 
 
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, up: Numbers | str, extinction: str,
-             albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, multiple_scattering: bool,
+             albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, periodic: bool, multiple_scattering: bool,
              zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
     _require_sun(direction, time, say)
@@ -170,6 +174,7 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     _set_optics(light, albedo, asymmetry, say)
     light.SetGroundAlbedo(require_number(ground_albedo, say("ground_albedo"), least=0, most=1))
     light.SetSkyLight(require_number(sky_light, say("sky_light"), least=0, most=10))
+    light.SetPeriodicSides(bool(periodic))
     light.SetMultipleScattering(bool(multiple_scattering))
     light.SetZenithAngles(int(require_number(zenith_angles, say("zenith_angles"), least=1, most=16)))
     light.SetAzimuthAngles(int(require_number(azimuth_angles, say("azimuth_angles"), least=4, most=64)))
