@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.animate: what it draws is the same function of the values in all steps."""
+import io
 import tempfile
 import unittest
 import warnings
@@ -285,6 +286,15 @@ class Messages(Animation):
                 nephoscope.animate(self.plotter, meshes, lambda plotter, mesh: drawn.append(nephoscope.add_cells(plotter, mesh, "T", contours=contours)))
             self.assertEqual(sum("no value is within the range" in str(one.message) for one in found), told)
         self.assertEqual([drawn[0].mapper.GetContourValue(i) for i in range(3)], [1, 2, 3])
+
+    def test_progress(self):
+        """A line for each step in a log, one line that changes on a terminal."""
+        for terminal, expected in ((False, "1 of 2: 0\n2 of 2: 1\n"), (True, "\r1 of 2: 0\r2 of 2: 1\n")):
+            with tempfile.TemporaryDirectory() as folder, mock.patch("sys.stderr", io.StringIO()) as log:
+                log.isatty = lambda answer=terminal: answer
+                series = nephoscope.animate(self.new_plotter(), [whirl(1), whirl(2)], "T", filename=Path(folder, "film.gif"))
+            self.assertEqual(log.getvalue(), expected)
+            self.assertEqual(repr(series), "<Series of 2 steps, 0 to 1; at step 1>")
 
     def test_program_of_imageio(self):
         """A film is made by the program of imageio-ffmpeg where there is none on the path."""

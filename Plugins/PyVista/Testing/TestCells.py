@@ -285,6 +285,11 @@ class Refused(Cells):
         self.fails(ValueError, "n_colors is 0", n_colors=0)
         self.fails(ValueError, "cmap has no colours", cmap=[])
         self.fails(TypeError, "unexpected keyword argument 'colour'. Did you mean 'color'", colour="red")
+        for name, remedy in (("shade", "sun="), ("ambient", "[.]prop"), ("nan_color", "not drawn"), ("above_color", "LookupTable as cmap"), ("blending", "composited")):
+            self.fails(TypeError, rf"add_cells\(\) has no argument '{name}'[.] .*{remedy}", **{name: 1})
+        self.fails(TypeError, "opacity is a function; .*linspace", opacity=lambda x: x)
+        with self.assertRaisesRegex(TypeError, r"grid is a str; .* Read it: pyvista.read\('case.vtu'\)"):
+            nephoscope.add_cells(pyvista.Plotter(), "case.vtu")
 
     def test_grids(self):
         self.fails(ValueError, "PolyData of .* has no 3-D cells", pyvista.Sphere(), None)

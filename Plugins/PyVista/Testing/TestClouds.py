@@ -56,6 +56,8 @@ class Smooth(unittest.TestCase):
             mesh.nephoscope.smooth(scalars="number")
         with self.assertRaisesRegex(MissingDataError, "masses: no point array 'm'"):
             mesh.nephoscope.smooth(masses="m")
+        with self.assertRaisesRegex(TypeError, "iterations is 'T'.*scalars='T'"):
+            mesh.nephoscope.smooth("T")
         for bad in (-1, 1.5, True):
             with self.assertRaisesRegex(ValueError, "iterations is .*(at least 0|whole number, 0 to 1000)"):
                 mesh.nephoscope.smooth(bad)

@@ -67,6 +67,13 @@ class Accepted(Splats):
         self.assertAlmostEqual(volume.prop.opacity_unit_distance, 4 / 3 * 0.5 / 2)
         self.assertEqual(volume.mapper.scalar_range, (0, 2))
 
+    def test_few_cells(self):
+        """One cell is a faint blob: a warning names the function that draws its shape."""
+        for mesh in (pyvista.examples.cells.Tetrahedron(), pyvista.ImageData(dimensions=(2, 2, 3))):
+            mesh["x"] = mesh.points[:, 2]
+            with self.assertWarnsRegex(RuntimeWarning, f"has {mesh.n_cells} cells?[.] .*add_cells"):
+                self.add(mesh)
+
     def test_numbers_and_choices(self):
         mapper = self.add(kernel="gaussian", radius_factor=1.5, opacity_scale=3,
                           level_of_detail=dict(tolerance=0.1, unit="data", measure="rms", interactive_splats=7),
@@ -173,6 +180,13 @@ class Refused(Splats):
         self.fails(ValueError, "radius and sizes are both given", particles(), "mass", radius=1, sizes="mass")
         self.fails(MissingDataError, "volumes: no array 'v'", particles(), "mass", volumes="v")
         self.fails(ValueError, "radius is 'large'; it must be one of 'neighbors'", particles(), "mass", radius="large")
+
+    def test_few_cells(self):
+        """One cell is a faint blob: a warning names the function that draws its shape."""
+        for mesh in (pyvista.examples.cells.Tetrahedron(), pyvista.ImageData(dimensions=(2, 2, 3))):
+            mesh["x"] = mesh.points[:, 2]
+            with self.assertWarnsRegex(RuntimeWarning, f"has {mesh.n_cells} cells?[.] .*add_cells"):
+                self.add(mesh)
 
     def test_numbers_and_choices(self):
         for bad in (0, -1, np.nan, np.inf):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any, Mapping
 
 import numpy as np
@@ -63,7 +64,8 @@ def require_dataset(data: Any, argument: str, needs: str, merge_points: bool, ar
     """`data` as one PyVista dataset, combined from the blocks that have the arrays; TypeError if that is impossible. `needs` ends the message."""
     data = wrapped(data, merge_points, arrays)
     if not isinstance(data, pyvista.DataSet):
-        raise TypeError(f"{argument} is a {type(data).__name__}; it must be a pyvista dataset or MultiBlock{needs}.")
+        read = f" Read it: pyvista.read({str(data)!r})." if isinstance(data, (str, Path)) else ""
+        raise TypeError(f"{argument} is a {type(data).__name__}; it must be a pyvista dataset or MultiBlock{needs}.{read}")
     return data
 
 

@@ -13,6 +13,13 @@ from ._checks import listed
 from ._pipeline import level_of_caller
 
 
+_SHADING = "Volumes are not shaded: sun=... lights them, and the coefficients in `.prop` of the volume light contour surfaces."
+_MISSING = "Cells with missing values (NaN) are not drawn."
+_TABLE = "Pass a pyvista.LookupTable as cmap, which has colours below and above its range, and annotations."
+OF_ADD_VOLUME = {**dict.fromkeys(("shade", "ambient", "diffuse", "specular", "specular_power"), _SHADING), **dict.fromkeys(("nan_color", "nan_opacity"), _MISSING),
+                 **dict.fromkeys(("above_color", "below_color", "annotations", "categories"), _TABLE), "blending": "Volumes are always composited."}
+
+
 def group(argument: str, value: Any, options: type, first: str, old: dict[str, Any], renamed: Mapping[str, str]) -> Any:
     """An object of the dataclass `options`.
 
@@ -37,5 +44,7 @@ def refuse_unknown(function: Callable, old: Mapping[str, Any], others: Sequence[
     """Raises TypeError, like Python, for keyword arguments that no option uses. `others`: options that the function has besides its parameters."""
     if old:
         name = next(iter(old))
+        if name in OF_ADD_VOLUME:
+            raise TypeError(f"{function.__name__}() has no argument {name!r}. {OF_ADD_VOLUME[name]}")
         near = get_close_matches(name, [*signature(function).parameters, *others], 1, 0.7)
         raise TypeError(f"{function.__name__}() got an unexpected keyword argument {name!r}." + (f" Did you mean {near[0]!r}?" if near else ""))

@@ -82,6 +82,8 @@ def smooth(mesh: pyvista.DataSet, iterations: int = 1, scalars: str | Sequence[s
     RuntimeWarning
         The warnings of the filter: missing values, points without mass.
     """
+    if isinstance(iterations, str):
+        raise TypeError(f"iterations is {iterations!r}; it must be an integer. Name the array by scalars={iterations!r}.")
     smoothing = vtkStructuredSmoothing()
     set_input(smoothing, _structured(mesh))
     smoothing.SetNumberOfIterations(_count(iterations, "iterations"))

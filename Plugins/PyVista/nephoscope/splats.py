@@ -3,6 +3,7 @@
 """Textured splats: the samples of any dataset as splats in the shape of their cells, with vectors as moving streaks."""
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Mapping
 
@@ -11,11 +12,13 @@ import pyvista
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
 
 from . import vtkTexturedSplatMapper
+from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument, require_beside_scalars, require_number
 from ._copies import copied_table
 from ._from_xarray import add_earth_for, darken_for, title_with_units
 from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
+from ._pipeline import level_of_caller
 from ._uniform import FAINTER, concentration, is_bare, uniform_colours
 from ._typing import Kernel, LevelOfDetailOptions, Numbers, OldSplatNames, Preference, ToneMapping, VectorOptions
 from ._vectors import OLD_NAMES as VECTOR_NAMES
@@ -26,6 +29,7 @@ from .transfer import OpacityLike
 if TYPE_CHECKING:
     from typing import Unpack  # since Python 3.11
 
+FEWEST = 8  # cells that splats can show
 KERNEL_RADII = {"cubic": 1.556228, "quadratic": 1.37790, "gaussian": 1.916}  # cells; SplatKernel.h
 
 
@@ -268,6 +272,9 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         if uniform:
             on_cells = not mesh.point_data and mesh.cell_data  # for hyper tree grids, for example: each cell has its own size
             scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"
+    if 0 < mesh.n_cells < FEWEST and streaks.array is None and sizes is None and cell_dimension(mesh) == 3:
+        warnings.warn(f"The mesh has {mesh.n_cells} {'cell' if mesh.n_cells == 1 else 'cells'}. Splats are soft blobs, which do not show the shape of so few cells, and may be too faint "
+                      "to be seen: draw them by add_cells.", RuntimeWarning, stacklevel=level_of_caller())
     given = mesh
     mesh, array_name, association = scalar_array(mesh, scalars, preference, component)
     darken_for(plotter, data, mesh)

@@ -47,12 +47,17 @@ def opacity_values(opacity: OpacityLike, n_colors: int = SAMPLES) -> np.ndarray:
 
     Raises
     ------
+    TypeError
+        If it is something else, such as a function.
     ValueError
         If the name is unknown or a value is not in 0 to 1.
     """
     if isinstance(opacity, str):
         return _named_opacity(opacity, n_colors)
     values = np.atleast_1d(as_array(opacity))
+    if values.dtype.kind not in "buif":
+        raise TypeError(f"opacity is a {type(opacity).__name__}; it must be a name, a number or a list of numbers from 0 to 1 at equal steps over the range. "
+                        "Pass a function's values, such as f(np.linspace(0, 1, 256)).")
     values = values / 255.0 if values.dtype == np.uint8 else values.astype(float)
     if values.ndim != 1 or values.size == 0:
         raise ValueError(f"opacity has shape {values.shape}; it must be one value or a list of values.")

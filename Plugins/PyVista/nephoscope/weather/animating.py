@@ -281,11 +281,17 @@ def _film(plotter, series: Series, turn_to: Callable[[float], None], path: Path,
             turn_to(step)
             plotter.screenshot(folder / f"{step:05d}.png")
             if progress:
-                print(f"\r{step + 1} of {len(series)}: {series.times[step]}", end="\n" if step + 1 == len(series) else "", file=sys.stderr, flush=True)
+                _tell(step, series)
         if kind == ".gif":
             _gif(folder, path, framerate)
         elif kind == ".mp4":
             _mp4(program, folder, path, framerate)
+
+
+def _tell(step: int, series: Series) -> None:
+    """One line that changes on a terminal, and a line for each step in a log."""
+    start, end = ("\r", "\n" if step + 1 == len(series) else "") if sys.stderr.isatty() else ("", "\n")
+    print(f"{start}{step + 1} of {len(series)}: {series.times[step]}", end=end, file=sys.stderr, flush=True)
 
 
 def _gif(folder: Path, path: Path, framerate: float) -> None:

@@ -33,6 +33,9 @@ class Series(Sequence):
         self._listeners: list[Callable[[int], Any]] = []
         follow(mesh, self)
 
+    def __repr__(self) -> str:
+        return f"<Series of {len(self)} steps, {self.times[0]} to {self.times[-1]}; at step {self.step}>"
+
     def __enter__(self) -> Series:
         return self
 
