@@ -12,9 +12,11 @@
 
 namespace nephoscope
 {
-BlocksWithArray::BlocksWithArray(vtkAlgorithm* filter, std::function<bool(vtkDataSet*)> has)
+BlocksWithArray::BlocksWithArray(
+  vtkAlgorithm* filter, std::function<bool(vtkDataSet*)> has, std::function<void()> begin)
   : Filter(filter)
   , Has(std::move(has))
+  , OnBegin(std::move(begin))
 {
   filter->AddObserver(vtkCommand::StartEvent, this, &BlocksWithArray::Begin);
   filter->AddObserver(vtkCommand::EndEvent, this, &BlocksWithArray::End);
@@ -26,7 +28,13 @@ void BlocksWithArray::Begin()
   {
     return;
   }
-  this->Blocks = this->Having = 0;
+  this->Count();
+  this->OnBegin ? this->OnBegin() : void();
+}
+
+void BlocksWithArray::Count()
+{
+  this->Blocks = 0;
   this->IsInAny = false;
   this->Told = false;
   vtkDataObject* input = this->Filter->GetNumberOfInputConnections(0) > 0
@@ -36,24 +44,18 @@ void BlocksWithArray::Begin()
   {
     return;
   }
-  ForEachLeaf(input, [this](vtkDataObject* leaf) {
+  bool isHere = false;
+  ForEachLeaf(input, [&](vtkDataObject* leaf) {
     auto* block = vtkDataSet::SafeDownCast(leaf);
     ++this->Blocks;
-    this->Having += block && this->Has(block) ? 1 : 0;
+    isHere = isHere || (block && this->Has(block));
   });
-  this->IsInAny = isTrueOfAnyPiece(this->Filter, this->Having > 0);
+  this->IsInAny = isTrueOfAnyPiece(this->Filter, isHere);
 }
 
 void BlocksWithArray::End()
 {
   --this->Depth;
-}
-
-bool BlocksWithArray::IsFirstOfSeveral(vtkDataSet* block)
-{
-  const bool isFirst = this->Having > 1 && this->Has(block);
-  this->Having = isFirst ? 0 : this->Having;
-  return isFirst;
 }
 
 bool BlocksWithArray::IsLackedBy(vtkDataSet* block)

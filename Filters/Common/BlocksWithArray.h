@@ -16,14 +16,12 @@ namespace nephoscope
 class VTKNEPHOSCOPEFILTERSCOMMON_EXPORT BlocksWithArray
 {
 public:
-  // `has` tells whether a block has the array. The filter, whose part this is, is observed.
-  BlocksWithArray(vtkAlgorithm* filter, std::function<bool(vtkDataSet*)> has);
+  // `has` tells whether a block has the array. The filter, whose part this is, is observed. `begin`, if given, is called before its first block, on all ranks.
+  BlocksWithArray(vtkAlgorithm* filter, std::function<bool(vtkDataSet*)> has,
+    std::function<void()> begin = nullptr);
 
   // While the filter runs: whether any block has the array, on any rank. False where the input has no blocks.
   bool HasAny() const { return this->IsInAny; }
-
-  // For RequestData: true for the first of several blocks of this rank that have the array.
-  bool IsFirstOfSeveral(vtkDataSet* block);
 
   // For RequestData: true where the filter has nothing to do for a block and nothing to tell, because the block lacks the array and another has it, or
   // because none has it and that has been told for the first one.
@@ -34,13 +32,14 @@ public:
 
 private:
   void Begin();
+  void Count();
   void End();
 
   vtkAlgorithm* Filter;
   std::function<bool(vtkDataSet*)> Has;
+  std::function<void()> OnBegin;
   int Depth = 0;  // blocks begin and end within the whole
   int Blocks = 0; // 0: the input is no composite dataset
-  int Having = 0; // blocks with the array of which none has been asked about
   bool IsInAny = false;
   bool Told = false;
 };

@@ -12,25 +12,22 @@
 
 namespace nephoscope
 {
-namespace
-{
-// A process that computes everything by itself must not wait for others.
-bool IsPieceOfRank(vtkAlgorithm* filter, vtkMultiProcessController* controller)
+vtkMultiProcessController* ranksOfPieces(vtkAlgorithm* filter)
 {
   using SDDP = vtkStreamingDemandDrivenPipeline;
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   vtkInformation* output = filter->GetOutputInformation(0);
-  return controller && controller->GetNumberOfProcesses() > 1 &&
+  const bool isPiece = controller && controller->GetNumberOfProcesses() > 1 &&
     output->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
     output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) == controller->GetNumberOfProcesses();
-}
+  return isPiece ? controller : nullptr;
 }
 
 std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter)
 {
   const std::array<double, 2> mine = RangeOfDefaultArrays(filter->GetInputDataObject(0, 0));
   std::array<double, 2> all = mine;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (IsPieceOfRank(filter, controller))
+  if (vtkMultiProcessController* controller = ranksOfPieces(filter))
   {
     controller->AllReduce(&mine[0], &all[0], 1, vtkCommunicator::MIN_OP);
     controller->AllReduce(&mine[1], &all[1], 1, vtkCommunicator::MAX_OP);
@@ -42,8 +39,7 @@ bool isTrueOfAnyPiece(vtkAlgorithm* filter, bool mine)
 {
   const int here = mine ? 1 : 0;
   int any = here;
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (IsPieceOfRank(filter, controller))
+  if (vtkMultiProcessController* controller = ranksOfPieces(filter))
   {
     controller->AllReduce(&here, &any, 1, vtkCommunicator::MAX_OP);
   }

@@ -60,7 +60,8 @@ bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& p
 
 vtkSunlight::vtkSunlight()
   : Blocks(std::make_unique<nephoscope::BlocksWithArray>(
-      this, [this](vtkDataSet* block) { return this->HasExtinction(block); }))
+      this, [this](vtkDataSet* block) { return this->HasExtinction(block); },
+      [this] { this->JoinClouds(); }))
 {
   this->SetNumberOfInputPorts(3);
 }
@@ -183,17 +184,20 @@ void vtkSunlight::TakeForClearAir(vtkDataSet* data)
   addPointArray(data, name.c_str())->FillValue(0.0f);
 }
 
-bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
+void vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
 {
-  vtkIdType ignored = 0;
-  work.Planet = this->PlanetOf(data);
-  work.Places = nephoscope::placesOf(data);
+  vtkIdType ignored = 0, wrong = 0;
   work.Extinction =
-    nephoscope::valuesOf(data, this->UsedExtinction, 0, this->ExtinctionScale, work.Wrong);
-  nephoscope::cutResidues(work.Extinction);
+    nephoscope::valuesOf(data, this->UsedExtinction, 0, this->ExtinctionScale, wrong);
   work.Albedo = nephoscope::valuesOf(data, this->AlbedoArrayName, this->Albedo, 1, ignored);
   work.Asymmetry =
     nephoscope::valuesOf(data, this->AsymmetryArrayName, this->Asymmetry, 1, ignored);
+  this->WarnOfValues(wrong);
+}
+
+void vtkSunlight::ScaleOptics(Work& work) const
+{
+  nephoscope::cutResidues(work.Extinction);
   work.Scaled = work.Extinction;
   for (std::size_t p = 0; p < work.Scaled.size() && this->MultipleScattering; ++p)
   {
@@ -203,13 +207,16 @@ bool vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
     work.Albedo[p] = static_cast<float>(medium.Albedo);
     work.Asymmetry[p] = static_cast<float>(medium.Asymmetry);
   }
-  if (work.Wrong > 0)
+}
+
+void vtkSunlight::WarnOfValues(vtkIdType wrong)
+{
+  if (wrong > 0)
   {
-    vtkWarningMacro(<< work.Wrong << (work.Wrong == 1 ? " value" : " values") << " of '"
+    vtkWarningMacro(<< wrong << (wrong == 1 ? " value" : " values") << " of '"
                     << this->UsedExtinction
                     << "' negative or missing (NaN or a fill value), used as 0.");
   }
-  return true;
 }
 
 bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
@@ -259,19 +266,24 @@ bool vtkSunlight::Shade(Work& work)
   nephoscope::CloudShadow shadow = nephoscope::cloudShadow(clouds, work.Places, work.Sun);
   work.Shadow = std::move(shadow.Fraction);
   work.BelowClouds = std::move(shadow.Irradiance);
-  vtkDataArray* sun = clouds->GetFieldData()->GetArray("SunDirection");
   if (work.Shadow.empty() && !work.Places.empty())
   {
     vtkErrorMacro(
       << "The clouds have no array 'SunTransmittance': give them light by Sunlight first.");
     return false;
   }
-  if (&work == this->Last.get() && sun && vtkMath::Dot(sun->GetTuple3(0), work.Sun.data()) < 0.9998)
+  return true;
+}
+
+void vtkSunlight::WarnOfOtherSun(const Work& work)
+{
+  vtkDataObject* clouds = this->GetInputDataObject(1, 0);
+  vtkDataArray* sun = clouds ? clouds->GetFieldData()->GetArray("SunDirection") : nullptr;
+  if (sun && vtkMath::Dot(sun->GetTuple3(0), work.Sun.data()) < 0.9998)
   {
     vtkWarningMacro(
       << "The clouds are lit from another direction than these data: their shadows do not fit.");
   }
-  return true;
 }
 
 void vtkSunlight::Write(vtkDataSet* data, const Work& work)
@@ -335,8 +347,8 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
   addDirection("Up", work.Planet.Up);
 }
 
-// All that light depends on but the eye.
-std::vector<double> vtkSunlight::State(vtkDataSet* input) const
+// All that light depends on but the data and the eye.
+std::vector<double> vtkSunlight::State() const
 {
   const auto number = [](const std::string& text) {
     return static_cast<double>(std::hash<std::string>{}(text));
@@ -345,19 +357,31 @@ std::vector<double> vtkSunlight::State(vtkDataSet* input) const
     vtkDataObject* data = const_cast<vtkSunlight*>(this)->GetInputDataObject(port, 0);
     return data ? double(data->GetMTime()) : 0.0;
   };
-  return { double(input->GetMTime()), timeOf(1), timeOf(2), this->SunDirection[0],
-    this->SunDirection[1], this->SunDirection[2], this->Up[0], this->Up[1], this->Up[2],
-    this->Longitude, this->Latitude, this->ExtinctionScale, this->Albedo, this->Asymmetry,
-    this->GroundAlbedo, this->SkyLight, double(this->PeriodicSides),
-    double(this->MultipleScattering), double(this->ZenithAngles), double(this->AzimuthAngles),
-    number(this->DateTime), number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
-    number(this->AsymmetryArrayName) };
+  return { timeOf(1), timeOf(2), this->SunDirection[0], this->SunDirection[1],
+    this->SunDirection[2], this->Up[0], this->Up[1], this->Up[2], this->Longitude, this->Latitude,
+    this->ExtinctionScale, this->Albedo, this->Asymmetry, this->GroundAlbedo, this->SkyLight,
+    double(this->PeriodicSides), double(this->MultipleScattering), double(this->ZenithAngles),
+    double(this->AzimuthAngles), number(this->DateTime), number(this->ExtinctionArrayName),
+    number(this->AlbedoArrayName), number(this->AsymmetryArrayName) };
 }
 
 bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
 {
-  if (!this->Check(data) || !this->CheckUp() || !this->FindSun(data, work.Sun) ||
-    !this->ReadOptics(data, work) || !this->GoOn(0.1))
+  if (!this->Check(data) || !this->CheckUp() || !this->FindSun(data, work.Sun))
+  {
+    return false;
+  }
+  this->ReadOptics(data, work);
+  return this->ComputeLight(data, work);
+}
+
+// Of optics that are known.
+bool vtkSunlight::ComputeLight(vtkDataSet* data, Work& work)
+{
+  work.Planet = this->PlanetOf(data);
+  work.Places = nephoscope::placesOf(data);
+  this->ScaleOptics(work);
+  if (!this->GoOn(0.1))
   {
     return false;
   }
@@ -378,12 +402,18 @@ bool vtkSunlight::Light(vtkDataSet* data, Work& work)
       [&](const nephoscope::Place& place) { return this->SkyAt(place, work); });
   }
   const bool isScattered = this->MultipleScattering && !this->OnSurface;
-  return this->Shade(work) && (!isScattered || this->Diffuse(data, work));
+  if (!this->Shade(work))
+  {
+    return false;
+  }
+  this->WarnOfOtherSun(work);
+  return !isScattered || this->Diffuse(data, work);
 }
 
 bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
 {
-  std::vector<double> state = this->State(input);
+  std::vector<double> state = this->State();
+  state.push_back(static_cast<double>(input->GetMTime()));
   if (!this->Last || state != this->LastState)
   {
     this->Last = std::make_unique<Work>();
@@ -394,7 +424,13 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
     }
     this->LastState = std::move(state);
   }
-  const Work& work = *this->Last;
+  this->WarnOfLight(data, *this->Last);
+  this->Write(data, *this->Last);
+  return true;
+}
+
+void vtkSunlight::WarnOfLight(vtkDataSet* data, const Work& work)
+{
   if (work.Planet.Radius <= 0 && dot(work.Planet.Up, work.Sun) < 0)
   {
     vtkWarningMacro(
@@ -403,8 +439,6 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
       << "): set Up if the data have another vertical axis.");
   }
   this->WarnOfDepth(data, work);
-  this->Write(data, work);
-  return true;
 }
 
 vtkTypeBool vtkSunlight::ProcessRequest(
@@ -416,6 +450,14 @@ vtkTypeBool vtkSunlight::ProcessRequest(
     return 1;
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+// Smoke gets its own.
+void vtkSunlight::ChooseExtinction(vtkDataSet* data)
+{
+  const bool isSmoke = this->ExtinctionArrayName == "Extinction" &&
+    nephoscope::addSmokeOptics(data, this->AlbedoArrayName, this->AsymmetryArrayName);
+  this->UsedExtinction = isSmoke ? nephoscope::smokeExtinctionName : this->ExtinctionArrayName;
 }
 
 int vtkSunlight::RequestData(
@@ -436,15 +478,7 @@ int vtkSunlight::RequestData(
   nephoscope::ReportOnce report(this, this->Failed);
   this->OnSurface = this->IsSurfaceBelowClouds(input);
   this->WarnOfPieces(input, outputs->GetInformationObject(0));
-  if (this->Blocks->IsFirstOfSeveral(input))
-  {
-    vtkWarningMacro(
-      << "Each block is lit alone: clouds in one block cast no shadows on those in another. Combine them first, by Merge Blocks "
-         "(in VTK vtkAppendFilter).");
-  }
-  const bool isSmoke = this->ExtinctionArrayName == "Extinction" &&
-    nephoscope::addSmokeOptics(output, this->AlbedoArrayName, this->AsymmetryArrayName);
-  this->UsedExtinction = isSmoke ? nephoscope::smokeExtinctionName : this->ExtinctionArrayName;
+  this->ChooseExtinction(output);
   const char* name = this->UsedExtinction.c_str();
   this->OnCells = !output->GetPointData()->HasArray(name) && output->GetCellData()->HasArray(name);
   if (this->OnCells)
@@ -464,7 +498,8 @@ int vtkSunlight::RequestData(
     this->UsedExtinction = noExtinctionName;
     addPointArray(output, noExtinctionName)->FillValue(0.0f);
   }
-  const bool success = this->AddLight(output, input);
+  nephoscope::CloudPart* part = this->FindPart(input);
+  const bool success = part ? this->AddJointLight(output, *part) : this->AddLight(output, input);
   output->GetPointData()->RemoveArray(noExtinctionName);
   report.End(success || this->GetAbortExecute());
   if (success)

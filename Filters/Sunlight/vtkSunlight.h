@@ -35,7 +35,8 @@
  * The third input, which is optional, is a vtkSunSource: its sun takes the place of SunDirection and DateTime.
  *
  * On several ranks, each computes the light of a whole image, rectilinear or structured grid and keeps its piece, so that clouds of all ranks cast their
- * shadows. Each rank lights its own piece of other data alone, with a warning.
+ * shadows. The clouds of several blocks, and other data of several ranks, are lit as one mesh, which each rank keeps whole: blocks keep their structure and get the light
+ * of their points. A single block with clouds is lit as it is alone.
  *
  * Field data: SunDirection and Up, three components each, towards the sun and upwards from flat ground. Data without a medium below clouds take the Up of these.
  */
@@ -53,6 +54,7 @@
 namespace nephoscope
 {
 class BlocksWithArray;
+struct CloudPart;
 struct Planet;
 }
 
@@ -232,6 +234,7 @@ private:
   void operator=(const vtkSunlight&) = delete;
 
   struct Work;
+  struct Joint;
   bool FindSun(vtkDataSet* data, std::array<double, 3>& sun);
   void WarnOfPlace(
     vtkDataSet* data, const std::array<double, 3>& sun, const std::array<double, 3>& sunOnGlobe);
@@ -243,9 +246,12 @@ private:
   bool IsSurfaceBelowClouds(vtkDataSet* data);
   double PhaseTowardsEye(const Work& work, std::size_t p, double cosine) const;
   float SkyAt(const std::array<double, 3>& place, const Work& work) const;
+  void ChooseExtinction(vtkDataSet* data);
   bool Compute(vtkDataSet* data, Work& work);
+  bool ComputeLight(vtkDataSet* data, Work& work);
   bool AddLight(vtkDataSet* data, vtkDataSet* input);
-  bool ReadOptics(vtkDataSet* data, Work& work);
+  void ReadOptics(vtkDataSet* data, Work& work);
+  void ScaleOptics(Work& work) const;
   bool TraceSun(vtkDataSet* data, Work& work);
   bool Light(vtkDataSet* data, Work& work);
   bool LightRepeated(vtkDataSet* data, Work& work);
@@ -255,9 +261,17 @@ private:
   bool GoOn(double fraction);
   bool Shade(Work& work);
   void CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInformation* output);
+  void JoinClouds();
+  nephoscope::CloudPart PartOf(vtkDataSet* data);
+  nephoscope::CloudPart* FindPart(vtkDataSet* input);
+  bool ComputeJoint();
+  bool AddJointLight(vtkDataSet* data, nephoscope::CloudPart& part);
+  void WarnOfValues(vtkIdType wrong);
+  void WarnOfOtherSun(const Work& work);
+  void WarnOfLight(vtkDataSet* data, const Work& work);
   void WarnOfDepth(vtkDataSet* data, const Work& work);
   void WarnOfPieces(vtkDataSet* data, vtkInformation* information);
-  std::vector<double> State(vtkDataSet* input) const;
+  std::vector<double> State() const;
 
   std::string ExtinctionArrayName = "Extinction";
   std::string AlbedoArrayName = "SingleScatteringAlbedo";
@@ -292,6 +306,7 @@ private:
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array
   std::unique_ptr<Work> Last;                          // kept for another eye
   std::vector<double> LastState;                       // that it was computed for
+  std::unique_ptr<Joint> Joined;                       // of several blocks or ranks
 };
 
 #endif

@@ -6,6 +6,7 @@
 
 #include "vtkSunlight.h"
 
+#include "JoinedClouds.h"
 #include "LitData.h"
 #include "Vector3.h"
 
@@ -18,6 +19,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 struct vtkSunlight::Work
@@ -41,7 +44,38 @@ struct vtkSunlight::Work
     this->Flux.assign(this->Places.size(), nephoscope::Vector{ { 0, 0, 0 } });
   }
   std::vector<nephoscope::Vector> Flux;
-  vtkIdType Wrong = 0;
+
+  /** The light at some of its points, without their places. */
+  Work At(const std::vector<std::int32_t>& numbers) const
+  {
+    Work at;
+    at.Planet = this->Planet;
+    at.Sun = this->Sun;
+    const auto take = [&numbers](const auto& from, auto& to) {
+      to.resize(from.empty() ? 0 : numbers.size()); // clouds that shade them may be missing
+      for (std::size_t p = 0; p < to.size(); ++p)
+      {
+        to[p] = from[numbers[p]];
+      }
+    };
+    for (const auto member : { &Work::Extinction, &Work::Scaled, &Work::Albedo, &Work::Asymmetry,
+           &Work::Transmittance, &Work::ScaledDepth, &Work::Shadow, &Work::BelowClouds,
+           &Work::Fluence, &Work::Up, &Work::Down, &Work::Absorbed })
+    {
+      take(this->*member, at.*member);
+    }
+    take(this->Flux, at.Flux);
+    return at;
+  }
+};
+
+/** Clouds of several blocks or ranks. */
+struct vtkSunlight::Joint
+{
+  nephoscope::JoinedClouds Clouds;
+  std::vector<double> State; // that they were joined for
+  std::unique_ptr<Work> Light;
+  bool Told = false; // what is wrong with the light of all
 };
 
 namespace nephoscope

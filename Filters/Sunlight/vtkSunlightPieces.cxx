@@ -5,6 +5,7 @@
 #include "vtkSunlight.h"
 
 #include "DataSets.h"
+#include "DefaultRange.h"
 #include "InputBlocks.h"
 
 #include "vtkDataSet.h"
@@ -73,7 +74,8 @@ void vtkSunlight::WarnOfPieces(vtkDataSet* data, vtkInformation* information)
 {
   // Parts of a surface have the shadows of all clouds if these are whole.
   vtkDataObject* shading = this->OnSurface ? this->GetInputDataObject(1, 0) : data;
-  const bool inPieces = information->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
+  const bool isOfAllRanks = shading == data && nephoscope::ranksOfPieces(this);
+  const bool inPieces = !isOfAllRanks && information->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
     information->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !nephoscope::IsStructured(shading);
   if (inPieces && !this->ToldOfPieces && information->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
   {

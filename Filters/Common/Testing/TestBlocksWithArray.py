@@ -127,14 +127,6 @@ class BlocksWithArray(unittest.TestCase):
                     self.assertNotEqual(filter_.GetErrorCode(), 0)
                     self.assertEqual([leaf.GetNumberOfCells() for leaf in leaves if leaf], [0] * sum(leaf is not None for leaf in leaves))
 
-    def test_blocks_do_not_shade_one_another(self):
-        """Is told, once in each execution, where several blocks have clouds."""
-        for blocks, warnings in ((1, 0), (2, 1), (3, 1)):
-            clouds = [image(i, Extinction=0.1) for i in range(blocks)]
-            _, _, messages, _ = self.executed(nephoscope.vtkSunlight, clouds, multi_block)
-            self.assertEqual(len(messages.warnings), 2 * warnings, messages.warnings)
-            self.assertTrue(all("Merge Blocks" in message for message in messages.warnings))
-
     def test_array_on_cells_of_one_block(self):
         """Is told, because it is not left out for want of the array."""
         on_cells = image(1)

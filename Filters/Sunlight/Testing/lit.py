@@ -42,7 +42,7 @@ def light_of(data, sun=(0, 0, 1), clouds=None, **options):
         getattr(light, "Set" + name)(value)
     with Messages() as messages:
         light.Update()
-    return light.GetOutput(), messages.all
+    return light.GetOutputDataObject(0), messages.all
 
 
 def values(output, name):
