@@ -95,7 +95,9 @@ void HazeLink::OnStart()
     this->FindShadows();
   }
   const bool hasSky = this->Renderer->HasViewProp(this->Sky) != 0;
-  const bool wantsSky = this->Haze->IsSeen() && this->Haze->GetBackground();
+  const vtkHaze::SkyOfRank skyOfRank = this->Haze->GetSkyOfRank();
+  const bool wantsSky =
+    this->Haze->IsSeen() && this->Haze->GetBackground() && skyOfRank != vtkHaze::SkyOfRank::NONE;
   if (wantsSky && !hasSky)
   {
     this->Renderer->AddViewProp(this->Sky);
@@ -106,6 +108,7 @@ void HazeLink::OnStart()
   }
   if (this->Haze->IsSeen())
   {
+    this->Sky->Enter(skyOfRank, this->Renderer->GetActiveCamera());
     this->Shaders->Enter(this->Renderer);
     this->Entered = true;
   }
@@ -116,6 +119,7 @@ void HazeLink::OnEnd()
   if (this->Entered)
   {
     this->Shaders->Leave(this->Renderer);
+    this->Sky->Leave();
     this->Entered = false;
   }
   this->Shadows.Unbind();

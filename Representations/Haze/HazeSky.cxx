@@ -9,6 +9,7 @@
 #include "HazeView.h"
 #include "SavedState.h"
 
+#include "vtkCamera.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -26,12 +27,16 @@ vtkStandardNewMacro(HazeSky);
 
 namespace
 {
-// On the far plane, whose depth is that of pixels where nothing is.
+// On the far plane, whose depth is that of pixels where nothing is. Compositing by depth drops these pixels: there it lies two steps of a
+// depth buffer of 24 bits in front of them.
+constexpr float farPlane = 1;
+constexpr float beforeFarPlane = 1 - 0x1p-22f;
 const char* const vertexShader =
   "//VTK::System::Dec\n"
+  "uniform float hazeDepth;\n"
   "void main()\n"
   "{\n"
-  "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 1.0, 1.0);\n"
+  "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, hazeDepth, 1.0);\n"
   "}\n";
 
 std::string fragmentShader(const HazeView& view)
@@ -51,6 +56,18 @@ HazeSky::HazeSky()
 }
 
 HazeSky::~HazeSky() = default;
+
+void HazeSky::Enter(vtkHaze::SkyOfRank rank, vtkCamera* camera)
+{
+  this->HasDepth = rank == vtkHaze::SkyOfRank::BY_DEPTH;
+  this->SetUseBounds(rank != vtkHaze::SkyOfRank::ALONE);
+  const double reach = 100 * (camera->GetClippingRange()[1] + camera->GetParallelScale());
+  for (int c = 0; c < 3; ++c)
+  {
+    this->Bounds[2 * c] = camera->GetPosition()[c] - reach;
+    this->Bounds[2 * c + 1] = camera->GetPosition()[c] + reach;
+  }
+}
 
 int HazeSky::RenderOpaqueGeometry(vtkViewport* viewport)
 {
@@ -79,12 +96,13 @@ int HazeSky::RenderOpaqueGeometry(vtkViewport* viewport)
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDepthMask(GL_FALSE);
+  state->vtkglDepthMask(this->HasDepth);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   this->VertexArray->Bind();
   view.SetUniforms(program);
+  program->SetUniformf("hazeDepth", this->HasDepth ? beforeFarPlane : farPlane);
   glDrawArrays(GL_TRIANGLES, 0, 3);
   this->VertexArray->Release();
   return 1;

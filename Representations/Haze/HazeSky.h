@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Haze in front of the background, in the pixels that nothing opaque covers, whenever it is drawn among the opaque objects. */
+/**
+ * Haze in front of the background, in the pixels that nothing opaque covers, whenever it is drawn among the opaque objects.
+ * On several ranks one of them draws it, as the farthest layer of its picture.
+ */
 #ifndef HazeSky_h
 #define HazeSky_h
 
 #include "ResourceWindow.h"
 
+#include "vtkHaze.h"
 #include "vtkNew.h"
 #include "vtkProp.h"
 
+class vtkCamera;
 class vtkOpenGLVertexArrayObject;
 
 namespace nephoscope
@@ -19,6 +24,14 @@ class HazeSky : public vtkProp
 public:
   static HazeSky* New();
   vtkTypeMacro(HazeSky, vtkProp);
+
+  /**
+   * Until Leave, it has bounds on all sides of the camera if it is composited with pictures of other ranks: these take from each
+   * rank only the part of the picture in which its bounds lie.
+   */
+  void Enter(vtkHaze::SkyOfRank rank, vtkCamera* camera);
+  void Leave() { this->UseBoundsOff(); }
+  double* GetBounds() override { return this->UseBounds ? this->Bounds : nullptr; }
 
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -33,6 +46,8 @@ private:
 
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
   ResourceWindow Window;
+  bool HasDepth = false;
+  double Bounds[6] = { 0, 0, 0, 0, 0, 0 };
 };
 
 } // namespace nephoscope

@@ -204,6 +204,25 @@ public:
   {
     return this->MaximumOfRanks;
   }
+
+  /** How this process draws haze before the background of a picture that several ranks may draw together. */
+  enum class SkyOfRank
+  {
+    ALONE,    ///< no other rank draws
+    LAST,     ///< pictures are blended in the order of the ranks, and this is the farthest one
+    BY_DEPTH, ///< the nearest fragment of all ranks is seen, so this one needs a depth
+    NONE      ///< another rank draws it
+  };
+
+  /** Called when the renderer starts to draw, on every rank. One of them must draw the haze. Default: ALONE. */
+  void SetFindSkyOfRank(std::function<SkyOfRank()> find)
+  {
+    this->FindSkyOfRank = std::move(find);
+  }
+  SkyOfRank GetSkyOfRank() const
+  {
+    return this->FindSkyOfRank();
+  }
 #endif
 
 protected:
@@ -235,6 +254,7 @@ private:
   double BaseLevel = 0;
 #ifndef __VTK_WRAP__
   std::function<void(double*, int)> MaximumOfRanks = [](double*, int) {};
+  std::function<SkyOfRank()> FindSkyOfRank = [] { return SkyOfRank::ALONE; };
 #endif
 };
 

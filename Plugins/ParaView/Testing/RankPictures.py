@@ -32,17 +32,17 @@ def pictures(prefix, output, names):
     return {name: np.load(f"{prefix}-{name}.npy") for name in names}
 
 
-def run_with_server(script, names):
-    """The pictures of these names, which are all that is drawn, on a pvserver. It waits on a free port that it announces; the client draws there."""
+def run_with_server(script, names, ranks=1):
+    """The pictures of these names, which are all that is drawn, on a pvserver of so many ranks. It waits on a free port that it announces; the client draws there."""
     log = os.path.join(OUTPUT, f"{script}-server.log")
     with open(log, "w") as file:
-        server = subprocess.Popen([program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, stdout=file, stderr=subprocess.STDOUT)
+        server = subprocess.Popen(launcher(ranks) + [program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, stdout=file, stderr=subprocess.STDOUT)
     try:
         prefix = prefix_of(script, "server")
         command = [program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, announced_port(log), ",".join(names)]
         return pictures(prefix, output_of(command, limit=300), names)
     finally:
-        server.kill()
+        server.terminate()  # mpiexec takes its ranks with it
         server.wait()
         print(open(log).read())
 
@@ -71,5 +71,8 @@ def compare(first, second, title, names, largest, mean, dots=0.0):
 
 def run_ranks(script, names, number):
     """The pictures that so many processes draw."""
-    launcher = [program("MPIEXEC"), "-np", str(number)] if number > 1 else []
-    return run(launcher + [program("PVBATCH"), "--dr"], script, str(number), names)
+    return run(launcher(number) + [program("PVBATCH"), "--dr"], script, str(number), names)
+
+
+def launcher(number):
+    return [program("MPIEXEC"), "-np", str(number)] if number > 1 else []

@@ -3,12 +3,15 @@
 #include "vtkHazeRepresentation.h"
 
 #include "ForwardedMessages.h"
+#include "RankRegions.h"
 
 #include "vtkCommunicator.h"
 #include "vtkHaze.h"
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOrderedCompositingHelper.h"
 #include "vtkPVRenderView.h"
 #include "vtkRenderer.h"
 
@@ -28,12 +31,31 @@ void takeMaximumOfRanks(double* numbers, int count)
     ranks->AllReduce(mine.data(), numbers, count, vtkCommunicator::MAX_OP);
   }
 }
+
+// The view blends pictures in the order of the boxes of ranks, or has none and takes the nearest fragment of all ranks.
+vtkHaze::SkyOfRank findSkyOfRank(vtkPVRenderView* view)
+{
+  using Sky = vtkHaze::SkyOfRank;
+  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+  if (!view || !ranks || ranks->GetNumberOfProcesses() < 2)
+  {
+    return Sky::ALONE;
+  }
+  const int rank = ranks->GetLocalProcessId();
+  const std::vector<vtkBoundingBox>* boxes = nephoscope::boxesOfRanks(view);
+  if (!boxes || boxes->empty())
+  {
+    return rank == 0 ? Sky::BY_DEPTH : Sky::NONE;
+  }
+  vtkNew<vtkOrderedCompositingHelper> order;
+  order->SetBoundingBoxes(*boxes);
+  return order->ComputeSortOrder(view->GetActiveCamera()).back() == rank ? Sky::LAST : Sky::NONE;
+}
 }
 
 vtkHazeRepresentation::vtkHazeRepresentation()
 {
   nephoscope::forwardMessages(this->Haze, this);
-  this->SetHazeBackground(true);
   this->Haze->SetMaximumOfRanks(takeMaximumOfRanks);
 }
 
@@ -51,17 +73,18 @@ int vtkHazeRepresentation::FillInputPortInformation(int, vtkInformation* info)
 
 void vtkHazeRepresentation::Switch(bool on)
 {
-  if (!this->Renderer)
+  vtkRenderer* renderer = this->View ? this->View->GetRenderer() : nullptr;
+  if (!renderer)
   {
     return;
   }
   if (on)
   {
-    vtkHaze::SetHaze(this->Renderer, this->Haze);
+    vtkHaze::SetHaze(renderer, this->Haze);
   }
-  else if (vtkHaze::GetHaze(this->Renderer) == this->Haze)
+  else if (vtkHaze::GetHaze(renderer) == this->Haze)
   {
-    vtkHaze::SetHaze(this->Renderer, nullptr);
+    vtkHaze::SetHaze(renderer, nullptr);
   }
 }
 
@@ -72,7 +95,8 @@ bool vtkHazeRepresentation::AddToView(vtkView* view)
   {
     return false;
   }
-  this->Renderer = renderView->GetRenderer();
+  this->View = renderView;
+  this->Haze->SetFindSkyOfRank([view = this->View] { return findSkyOfRank(view); });
   this->Switch(this->GetVisibility());
   return this->Superclass::AddToView(view);
 }
@@ -80,7 +104,7 @@ bool vtkHazeRepresentation::AddToView(vtkView* view)
 bool vtkHazeRepresentation::RemoveFromView(vtkView* view)
 {
   this->Switch(false);
-  this->Renderer = nullptr;
+  this->View = nullptr;
   return this->Superclass::RemoveFromView(view);
 }
 
@@ -152,8 +176,7 @@ void vtkHazeRepresentation::SetBaseLevel(double level)
 
 void vtkHazeRepresentation::SetHazeBackground(bool hazed)
 {
-  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
-  this->Haze->SetBackground(hazed && !(ranks && ranks->GetNumberOfProcesses() > 1));
+  this->Haze->SetBackground(hazed);
 }
 
 void vtkHazeRepresentation::PrintSelf(ostream& os, vtkIndent indent)

@@ -5,7 +5,7 @@
  * @brief the haze of a render view: one switch for everything in it
  *
  * While it is visible its vtkHaze is that of the view's renderer; of several the one shown last. Each rank hazes its own fragments before they are
- * composited. The background is hazed on one rank only: images of ranks have none until they are composited.
+ * composited. The rank whose picture lies behind the others draws the haze before the background.
  */
 #ifndef vtkHazeRepresentation_h
 #define vtkHazeRepresentation_h
@@ -13,10 +13,10 @@
 #include "vtkNephoscopeParaViewHazeModule.h" // for export macro
 #include "vtkNew.h"
 #include "vtkPVDataRepresentation.h"
-#include "vtkWeakPointer.h" // for the renderer
+#include "vtkWeakPointer.h" // for the view
 
 class vtkHaze;
-class vtkRenderer;
+class vtkPVRenderView;
 
 class VTKNEPHOSCOPEPARAVIEWHAZE_EXPORT vtkHazeRepresentation : public vtkPVDataRepresentation
 {
@@ -59,7 +59,7 @@ private:
   void Switch(bool on);
 
   vtkNew<vtkHaze> Haze;
-  vtkWeakPointer<vtkRenderer> Renderer; // of the view
+  vtkWeakPointer<vtkPVRenderView> View;
 };
 
 #endif
