@@ -158,7 +158,7 @@ public:
   /**
    * Time between two layers, in seconds; 0 (default): 1/64 of the duration, and no longer than the flow at the polygon takes for
    * 1/32 of the diagonal of the bounds; unsteady: 1/64 of the time from the start to the last time step. Longer if
-   * MaximumNumberOfTetrahedra requires it. The cost is inversely proportional to it.
+   * MaximumNumberOfTetrahedra requires it, or if the duration would take more than a million steps, with a warning. The cost is inversely proportional to it.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
@@ -330,6 +330,9 @@ private:
   double FindCrossingTime(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow);
   bool FindSettings(const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow,
     nephoscope::FlowVolumeSettings& settings);
+  double UsualTimeStep(double duration) const;
+  bool HasTooManySteps(double duration) const;
+  void WarnOfManySteps(double duration);
   void ReportSteady(const nephoscope::WholeVolume& whole);
   bool IsSizeAutomatic() const;
   void WarnOfCoarsening(double polygonEdgeLength, bool isMuch);

@@ -89,8 +89,8 @@ void vtkFlowVolume::MakeSteadyVolume(
   const bool isMissing = this->WarnOfMissing(*field);
   this->WarnOfObstacles(whole.Mesh.Report, this->Exchange().AnyTrue(isMissing));
   this->WarnOfLeaving(whole.Mesh, *field);
-  if (whole.IsCoarser && !whole.Mesh.Report.LimitReached && !whole.Mesh.Report.Stopped &&
-    !whole.Mesh.Tetrahedra.empty())
+  if (whole.IsCoarser && !this->HasTooManySteps(settings.Duration) &&
+    !whole.Mesh.Report.LimitReached && !whole.Mesh.Report.Stopped && !whole.Mesh.Tetrahedra.empty())
   {
     this->WarnOfCoarsening(whole.PolygonEdgeLength, IsMuchCoarser(whole, settings, flow));
   }
@@ -119,14 +119,27 @@ double vtkFlowVolume::FindCrossingTime(
   return kept.Seconds;
 }
 
+double vtkFlowVolume::UsualTimeStep(double duration) const
+{
+  return std::min(duration / 64.0, this->State->Crossing.Seconds / 32.0);
+}
+
+// So much that layers are seen.
+bool vtkFlowVolume::HasTooManySteps(double duration) const
+{
+  constexpr double most = 2.0;
+  return this->TimeStep == 0.0 &&
+    duration / maximumNumberOfSteps > most * this->UsualTimeStep(duration);
+}
+
 bool vtkFlowVolume::FindSettings(const nephoscope::FlowField& field,
   const nephoscope::PolygonFlow& flow, nephoscope::FlowVolumeSettings& settings)
 {
   const double crossing = this->FindCrossingTime(field, flow);
   settings.Duration = this->Duration > 0.0 ? this->Duration : 0.5 * crossing;
   // However long the duration is, a step must not lead out of the data at once.
-  const double automaticStep = std::max(std::min(settings.Duration / 64.0, crossing / 32.0),
-    1.000001 * settings.Duration / maximumNumberOfSteps);
+  const double automaticStep = std::max(
+    this->UsualTimeStep(settings.Duration), 1.000001 * settings.Duration / maximumNumberOfSteps);
   settings.TimeStep = this->TimeStep > 0.0 ? this->TimeStep : automaticStep;
   settings.MaximumEdgeLength = this->MaximumEdgeLength > 0.0
     ? this->MaximumEdgeLength
@@ -158,10 +171,23 @@ void vtkFlowVolume::ReportSteady(const nephoscope::WholeVolume& whole)
   {
     return;
   }
+  else if (this->HasTooManySteps(whole.Settings.Duration))
+  {
+    this->WarnOfManySteps(whole.Settings.Duration);
+  }
   else if (whole.Mesh.Tetrahedra.empty())
   {
     this->WarnOfNothing(report);
   }
+}
+
+void vtkFlowVolume::WarnOfManySteps(double duration)
+{
+  const double usual = this->UsualTimeStep(duration);
+  vtkWarningMacro("The smoke is coarser than usual: for a Duration of "
+    << duration << " s, a TimeStep of " << usual
+    << " s would make more than a million steps, so it is " << this->TimeStepUsed
+    << " s. Shorten Duration, to " << usual * maximumNumberOfSteps << " s or less.");
 }
 
 // Automatic settings give a volume of moderate size; explicit requests that cannot be met are reported, and what is much coarser.

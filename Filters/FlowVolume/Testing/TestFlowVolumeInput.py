@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Every kind of dataset, each choice of the velocity, all arrays, automatic settings, both kinds of polygon."""
+import re
 import unittest
 
 import numpy as np
@@ -216,6 +217,18 @@ class Settings(unittest.TestCase):
             self.assertEqual(made[1], [])
             self.assertGreater(made[0].points[:, 2].max(), 1 - 2 * np.sqrt(3) / 32)
             self.assertAlmostEqual(made[0].made.GetTimeStepUsed(), 2 * np.sqrt(3) / 32 / np.linalg.norm(WIND), places=12)
+
+    def test_duration_of_too_many_steps(self):
+        """A million usual steps reach so far; what makes layers of smoke visible is told, once, with both steps and the remedy."""
+        usual = 2 * np.sqrt(3) / 32 / np.linalg.norm(WIND)
+        for times, told in ((1.5, 0), (8, 1), (40, 1)):
+            smoke, messages = update(flow_volume(cube(), Center=(0, 0, -0.5), Radius=0.05, Duration=times * 1e6 * usual))
+            self.assertEqual(len(messages), told, messages)
+            self.assertAlmostEqual(smoke.made.GetTimeStepUsed() / usual, times, places=4)
+            numbers = re.findall(r"Duration of (\S+) s, a TimeStep of (\S+) s .* so it is (\S+) s\. Shorten Duration, to (\S+) s", " ".join(messages))
+            for found in numbers:
+                np.testing.assert_allclose(np.array(found, float), usual * np.array([times * 1e6, 1, times, 1e6]), rtol=1e-4)
+            self.assertEqual(len(numbers), told, messages)
 
     def test_fixed_normal(self):
         for normal in ((0, 0, 5), (0, 0, -1)):

@@ -129,6 +129,10 @@ class FlowVolume(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "choose one of them"):
             mesh.nephoscope.flow_volume(center=(0, 0, 0))
 
+    def test_too_many_steps(self):
+        with self.assertWarnsRegex(RuntimeWarning, "for a duration of .* a time_step of .* Shorten duration"):
+            uniform().nephoscope.flow_volume(center=(-5, 0, 0), radius=1, duration=5e6)
+
     def test_much_coarser(self):
         """Automatic lengths that the limit on tetrahedra has made much coarser are told of; a few turns are not."""
         mesh = pyvista.ImageData(dimensions=(21, 21, 11), spacing=(0.1,) * 3, origin=(-1, -1, 0))

@@ -115,7 +115,8 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     Warns
     -----
     RuntimeWarning
-        The warnings of the filter: a polygon partly outside the data, smoke that ended at a body, smoke coarser than requested or much coarser than usual.
+        The warnings of the filter: a polygon partly outside the data, smoke that ended at a body, smoke coarser than requested or much coarser than usual,
+        a `duration` of more than two million automatic time steps.
 
     Examples
     --------
