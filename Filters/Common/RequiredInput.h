@@ -7,6 +7,7 @@
 #include "MessageSuppression.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCell.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
@@ -15,6 +16,7 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -37,6 +39,12 @@ inline std::string kindOf(vtkDataObject* data)
 // What makes a dataset with cells, or one with rows, of the input; empty where nothing does.
 inline std::string remedyFor(vtkDataObject* data, bool withRows = false)
 {
+  auto* cells = vtkUnstructuredGrid::SafeDownCast(data);
+  if (withRows && cells && cells->GetNumberOfCells() > 0 &&
+    cells->GetCell(0)->GetCellDimension() == 3)
+  {
+    return " Apply vtkResampleToImage first.";
+  }
   return !data || !data->IsA("vtkHyperTreeGrid")
     ? ""
     : std::string(" Apply vtkHyperTreeGridToUnstructuredGrid first") +

@@ -9,6 +9,7 @@ import numpy as np
 from nephoscope_testing.messages import Messages
 from vtkmodules.vtkCommonCore import vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkResampleToImage
 
 FIELD = np.random.default_rng(1).normal(size=(3, 4, 5))
 
@@ -27,6 +28,24 @@ class BadInput(unittest.TestCase):
             made.SetInputDataObject(vtkPolyData())
             made.Update()
         self.assertIn("The input is a surface or points. It must be a grid with rows", " ".join(messages.all))
+
+    def test_unstructured(self):
+        """The message names a filter, and with it there is a surface."""
+        cells = vtkAppendFilter()
+        cells.AddInputData(cg.image(FIELD))
+        cells.Update()
+        with Messages() as messages:
+            made = nephoscope.vtkCloudSurface()
+            made.SetInputDataObject(cells.GetOutput())
+            made.Update()
+        self.assertEqual(len(messages.all), 1)
+        self.assertIn("The input is an unstructured grid. It must be a grid with rows: an image, a rectilinear or a structured grid. Apply vtkResampleToImage first.", messages.all[0])
+        image = vtkResampleToImage()
+        image.SetInputDataObject(cells.GetOutput())
+        image.SetSamplingDimensions(9, 9, 9)
+        image.Update()
+        surface = cg.surface(image.GetOutput(), [float(FIELD.mean())], setup=lambda m: m.SetInputArrayToProcess(0, 0, 0, 0, "f"))
+        self.assertGreater(surface.GetNumberOfCells(), 0)
 
     def test_flat(self):
         self.nothing(cg.image(FIELD[:1]), "one point along axis 2")

@@ -19,7 +19,7 @@ EXPECTED = {
                  "TextureCoordinateAdvection": NO_VELOCITY, **LIGHT},
     "a surface": {"GlobeGrid": GRIDS, "FlowVolume": NO_VOLUME, "SmokePuffs": "is a surface or points", "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS,
                   "ContourCellSplitter": "no point array", "TextureCoordinateAdvection": NO_VOLUME, **LIGHT},
-    "tetrahedra": {"GlobeGrid": GRIDS, "FlowVolume": NO_VELOCITY, "SmokePuffs": "'Density'", "CloudSurface": GRIDS, "StructuredSmoothing": GRIDS,
+    "tetrahedra": {**dict.fromkeys(("GlobeGrid", "CloudSurface", "StructuredSmoothing"), GRIDS + ". Apply Resample To Image first"), "FlowVolume": NO_VELOCITY, "SmokePuffs": "'Density'",
                    "TextureCoordinateAdvection": NO_VELOCITY, **LIGHT},
     "blocks": {"GlobeGrid": ".", "FlowVolume": "No block", "SmokePuffs": "flow volume", "CloudSurface": GRIDS, "StructuredSmoothing": ".",
                "TextureCoordinateAdvection": "one grid", **LIGHT},

@@ -130,8 +130,11 @@ class CloudSurface(unittest.TestCase):
 
     def test_errors(self):
         mesh = block()
-        with self.assertRaisesRegex(TypeError, "mesh is a UnstructuredGrid"):
-            mesh.cast_to_unstructured_grid().nephoscope.cloud_surface(0.5, "noise")
+        for kind, told in ((mesh.cast_to_unstructured_grid(), r"mesh is a UnstructuredGrid.* image\.sample\(mesh\)"), (pyvista.Sphere(), r"mesh is a PolyData.*StructuredGrid\.$")):
+            with self.assertRaisesRegex(TypeError, told):
+                kind.nephoscope.cloud_surface(0.5, "noise")
+        image = pyvista.ImageData(dimensions=(30, 30, 9), spacing=(10, 6, 0.5), origin=(5, -88, 0)).sample(mesh.cast_to_unstructured_grid())
+        self.assertGreater(image.nephoscope.cloud_surface(0.5, "noise").n_cells, 0)
         with self.assertRaisesRegex(MissingDataError, "no point array 'q'"):
             mesh.nephoscope.cloud_surface(0.5, "q")
         with self.assertRaisesRegex(ValueError, "finite"):

@@ -9,7 +9,7 @@ from typing import Any, Literal, Sequence
 import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkRectilinearGrid, vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, vtkUnstructuredGrid
 
 from . import vtkCloudSurface, vtkStructuredSmoothing
 from ._checks import arrays_of, choose, require_number
@@ -171,7 +171,8 @@ def cloud_surface(mesh: pyvista.DataSet, isosurfaces: int | float | Numbers | No
 
 def _structured(mesh: Any) -> pyvista.DataSet:
     if not isinstance(mesh, (vtkImageData, vtkRectilinearGrid, vtkStructuredGrid)):
-        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be an ImageData, a RectilinearGrid or a StructuredGrid.")
+        remedy = " Sample it on an image first: image.sample(mesh), with a pyvista.ImageData." if isinstance(mesh, vtkUnstructuredGrid) and mesh.GetNumberOfCells() else ""
+        raise TypeError(f"mesh is a {type(mesh).__name__}; it must be an ImageData, a RectilinearGrid or a StructuredGrid.{remedy}")
     return mesh
 
 
