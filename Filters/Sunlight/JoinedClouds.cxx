@@ -168,7 +168,7 @@ public:
   }
 };
 
-// Of all ranks, one after the other.
+// The arrays of all ranks, one after the other.
 template <typename Array>
 void gather(vtkMultiProcessController* ranks, Array* array)
 {

@@ -5,6 +5,7 @@
 #include "ArrayNames.h"
 #include "BlocksWithArray.h"
 #include "CloudShadow.h"
+#include "DataSets.h"
 #include "DirectionalLight.h"
 #include "EmptyInput.h"
 #include "InputBlocks.h"
@@ -76,6 +77,11 @@ int vtkSunlight::FillInputPortInformation(int port, vtkInformation* info)
   {
     nephoscope::takeAnyData(info);
   }
+  if (port == 1) // first, so that the pipeline does not iterate over its blocks
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  }
   return 1;
 }
 
@@ -130,7 +136,7 @@ bool vtkSunlight::HasExtinction(vtkDataSet* data) const
 // Such as the ground: light reaches it, and goes no further.
 bool vtkSunlight::IsSurfaceBelowClouds(vtkDataSet* data)
 {
-  if (!this->GetInputDataObject(1, 0) || this->HasExtinction(data))
+  if (!this->ShadingClouds() || this->HasExtinction(data))
   {
     return false;
   }
@@ -258,7 +264,7 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
 
 bool vtkSunlight::Shade(Work& work)
 {
-  vtkDataSet* clouds = vtkDataSet::SafeDownCast(this->GetInputDataObject(1, 0));
+  vtkDataSet* clouds = this->ShadingClouds();
   if (!clouds)
   {
     return true;
@@ -273,17 +279,6 @@ bool vtkSunlight::Shade(Work& work)
     return false;
   }
   return true;
-}
-
-void vtkSunlight::WarnOfOtherSun(const Work& work)
-{
-  vtkDataObject* clouds = this->GetInputDataObject(1, 0);
-  vtkDataArray* sun = clouds ? clouds->GetFieldData()->GetArray("SunDirection") : nullptr;
-  if (sun && vtkMath::Dot(sun->GetTuple3(0), work.Sun.data()) < 0.9998)
-  {
-    vtkWarningMacro(
-      << "The clouds are lit from another direction than these data: their shadows do not fit.");
-  }
 }
 
 void vtkSunlight::Write(vtkDataSet* data, const Work& work)
@@ -354,8 +349,8 @@ std::vector<double> vtkSunlight::State() const
     return static_cast<double>(std::hash<std::string>{}(text));
   };
   const auto timeOf = [this](int port) {
-    vtkDataObject* data = const_cast<vtkSunlight*>(this)->GetInputDataObject(port, 0);
-    return data ? double(data->GetMTime()) : 0.0;
+    return double(
+      nephoscope::NewestMTime(const_cast<vtkSunlight*>(this)->GetInputDataObject(port, 0)));
   };
   return { timeOf(1), timeOf(2), this->SunDirection[0], this->SunDirection[1],
     this->SunDirection[2], this->Up[0], this->Up[1], this->Up[2], this->Longitude, this->Latitude,
@@ -375,7 +370,7 @@ bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
   return this->ComputeLight(data, work);
 }
 
-// Of optics that are known.
+// The optics are known.
 bool vtkSunlight::ComputeLight(vtkDataSet* data, Work& work)
 {
   work.Planet = this->PlanetOf(data);
@@ -427,18 +422,6 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
   this->WarnOfLight(data, *this->Last);
   this->Write(data, *this->Last);
   return true;
-}
-
-void vtkSunlight::WarnOfLight(vtkDataSet* data, const Work& work)
-{
-  if (work.Planet.Radius <= 0 && dot(work.Planet.Up, work.Sun) < 0)
-  {
-    vtkWarningMacro(
-      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky. Up is ("
-      << work.Planet.Up[0] << ", " << work.Planet.Up[1] << ", " << work.Planet.Up[2]
-      << "): set Up if the data have another vertical axis.");
-  }
-  this->WarnOfDepth(data, work);
 }
 
 vtkTypeBool vtkSunlight::ProcessRequest(

@@ -28,7 +28,7 @@
  *
  * Smoke, as vtkFlowVolume and vtkSmokePuffs write it, gets extinction, albedo and asymmetry of its own (SmokeOptics.h), unless another array is named.
  *
- * The second input, which is optional, is clouds that have their light: in their shadow there is less sunlight. Light that
+ * The second input, which is optional, is clouds that have their light, in blocks or not: in their shadow there is less sunlight. Light that
  * they scatter does not reach the data. With clouds, data without an extinction and without three-dimensional cells, such as the ground, get the light that reaches
  * them: Sunlight is then the irradiance by sun, sky and the diffuse light of the clouds.
  *
@@ -45,6 +45,7 @@
 
 #include "vtkDataSetAlgorithm.h"
 #include "vtkNephoscopeFiltersSunlightModule.h" // for export macro
+#include "vtkSmartPointer.h"
 
 #include <array>  // for members
 #include <memory> // for members
@@ -262,6 +263,8 @@ private:
   bool Shade(Work& work);
   void CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInformation* output);
   void JoinClouds();
+  void JoinShadingClouds();
+  vtkDataSet* ShadingClouds();
   nephoscope::CloudPart PartOf(vtkDataSet* data);
   nephoscope::CloudPart* FindPart(vtkDataSet* input);
   bool ComputeJoint();
@@ -307,6 +310,7 @@ private:
   std::unique_ptr<Work> Last;                          // kept for another eye
   std::vector<double> LastState;                       // that it was computed for
   std::unique_ptr<Joint> Joined;                       // of several blocks or ranks
+  vtkSmartPointer<vtkDataSet> JoinedShading;           // likewise, of the second input
 };
 
 #endif

@@ -34,6 +34,7 @@ bool isScalar(vtkDataSet* data, const std::string& name)
 // Before the first block, on all ranks. Where there are not several clouds, there is nothing to join.
 void vtkSunlight::JoinClouds()
 {
+  this->JoinShadingClouds();
   vtkDataObject* input =
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
   vtkMultiProcessController* ranks = nephoscope::ranksOfPieces(this);
@@ -73,6 +74,45 @@ void vtkSunlight::JoinClouds()
     this->Joined->Clouds.Join(ranks);
   }
   this->Joined->Told = false;
+}
+
+// The second input: its blocks, or the parts of all ranks, as one mesh.
+void vtkSunlight::JoinShadingClouds()
+{
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
+  vtkMultiProcessController* ranks = nephoscope::ranksOfPieces(this);
+  this->JoinedShading = nullptr;
+  if (!input || (vtkDataSet::SafeDownCast(input) && (!ranks || nephoscope::IsStructured(input))))
+  {
+    return;
+  }
+  const nephoscope::OpticalArrays light{ { { "SunTransmittance", 1, 1 }, { "Irradiance", 0, 1 },
+    { "UpwardIrradiance", 0, 1 } } };
+  nephoscope::JoinedClouds clouds;
+  nephoscope::ForEachLeaf(input, [&](vtkDataObject* leaf) {
+    auto* data = vtkDataSet::SafeDownCast(leaf);
+    if (data && data->GetPointData()->HasArray(light[0].Name.c_str()))
+    {
+      clouds.Parts.emplace_back(data, light);
+    }
+  });
+  const bool areAnyLit = nephoscope::isTrueOfAnyPiece(this, !clouds.Parts.empty());
+  clouds.Join(ranks);
+  this->JoinedShading = clouds.Mesh;
+  const std::vector<float>* values[] = { &clouds.Optics.Extinction, &clouds.Optics.Albedo,
+    &clouds.Optics.Asymmetry };
+  for (int k = 0; k < 3 && areAnyLit; ++k)
+  {
+    std::copy(values[k]->begin(), values[k]->end(),
+      nephoscope::addPointArray(clouds.Mesh, light[k].Name.c_str())->GetPointer(0));
+  }
+}
+
+vtkDataSet* vtkSunlight::ShadingClouds()
+{
+  return this->JoinedShading ? this->JoinedShading.Get()
+                             : vtkDataSet::SafeDownCast(this->GetInputDataObject(1, 0));
 }
 
 nephoscope::CloudPart vtkSunlight::PartOf(vtkDataSet* data)

@@ -73,16 +73,16 @@ void vtkSunlight::CropToPiece(vtkDataSet* data, vtkInformation* input, vtkInform
 void vtkSunlight::WarnOfPieces(vtkDataSet* data, vtkInformation* information)
 {
   // Parts of a surface have the shadows of all clouds if these are whole.
-  vtkDataObject* shading = this->OnSurface ? this->GetInputDataObject(1, 0) : data;
-  const bool isOfAllRanks = shading == data && nephoscope::ranksOfPieces(this);
-  const bool inPieces = !isOfAllRanks && information->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
+  vtkDataObject* shading = this->OnSurface ? this->ShadingClouds() : data;
+  const bool inPieces = !nephoscope::ranksOfPieces(this) &&
+    information->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
     information->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !nephoscope::IsStructured(shading);
   if (inPieces && !this->ToldOfPieces && information->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
   {
     vtkWarningMacro(
       << nephoscope::inBlock(this, data)
-      << "Each rank computes the light of its own part of these unstructured data: clouds of other ranks cast no shadow there. For the light of all, run "
-         "Sunlight on one rank and save the result, or make an image by Resample To Image first.");
+      << "One of several pieces of unstructured data is asked for, and has the light of this piece alone: clouds of other pieces cast no shadow there. For the light of all, ask for "
+         "the data as one piece, or make an image by Resample To Image first.");
   }
   this->ToldOfPieces = inPieces;
 }

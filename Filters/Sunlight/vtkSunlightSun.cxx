@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The choice of the sun.
+// The choice of the sun, and warnings about it.
 #include "vtkSunlight.h"
 
 #include "EmptyInput.h"
@@ -9,7 +9,9 @@
 #include "SharedSun.h"
 #include "SolarPosition.h"
 #include "Vector3.h"
+#include "vtkSunlightInternals.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -24,7 +26,7 @@ using nephoscope::dot;
 nephoscope::Planet vtkSunlight::PlanetOf(vtkDataSet* data)
 {
   nephoscope::Vector3 up{ { this->Up[0], this->Up[1], this->Up[2] } };
-  vtkDataObject* clouds = this->OnSurface ? this->GetInputDataObject(1, 0) : nullptr;
+  vtkDataSet* clouds = this->OnSurface ? this->ShadingClouds() : nullptr;
   vtkDataArray* upOfClouds = clouds ? clouds->GetFieldData()->GetArray("Up") : nullptr;
   if (upOfClouds && upOfClouds->GetNumberOfComponents() == 3 && upOfClouds->GetNumberOfTuples() > 0)
   {
@@ -105,4 +107,27 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
   }
   std::transform(sun.begin(), sun.end(), sun.begin(), [length](double x) { return x / length; });
   return true;
+}
+
+void vtkSunlight::WarnOfOtherSun(const Work& work)
+{
+  vtkDataSet* clouds = this->ShadingClouds();
+  vtkDataArray* sun = clouds ? clouds->GetFieldData()->GetArray("SunDirection") : nullptr;
+  if (sun && vtkMath::Dot(sun->GetTuple3(0), work.Sun.data()) < 0.9998)
+  {
+    vtkWarningMacro(
+      << "The clouds are lit from another direction than these data: their shadows do not fit.");
+  }
+}
+
+void vtkSunlight::WarnOfLight(vtkDataSet* data, const Work& work)
+{
+  if (work.Planet.Radius <= 0 && dot(work.Planet.Up, work.Sun) < 0)
+  {
+    vtkWarningMacro(
+      << "The sun is below the horizon: it is night, and the only light is that of the twilight sky. Up is ("
+      << work.Planet.Up[0] << ", " << work.Planet.Up[1] << ", " << work.Planet.Up[2]
+      << "): set Up if the data have another vertical axis.");
+  }
+  this->WarnOfDepth(data, work);
 }

@@ -13,6 +13,7 @@ from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkDataSetAttributes, vtkMultiBlockDataSet, vtkPartitionedDataSetCollection, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkPointDataToCellData
 from vtkmodules.vtkFiltersGeneral import vtkImageDataToPointSet
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkImagingCore import vtkExtractVOI
 
 SIZE, SPACING = (13, 9, 9), 0.5
@@ -166,6 +167,28 @@ class Blocks(unittest.TestCase):
         data = clouds()
         whole, _ = light_of(cells_of(data), SUN, **OPTICS)
         self.check(lit([polyhedra(part(data, 0, 6)), cells_of(part(data, 6, 12))])[0], whole, 0.02)  # divided in another way
+
+    def test_shadow_of_blocks_on_the_ground(self):
+        """Clouds in blocks shade a surface as those of the mesh do."""
+        data = clouds()
+        plane = vtkPlaneSource()
+        plane.SetOrigin(-3, -1, -0.5)
+        plane.SetPoint1(9, -1, -0.5)
+        plane.SetPoint2(-3, 5, -0.5)
+        plane.SetResolution(24, 12)
+        plane.Update()
+        ground = plane.GetOutput()
+        whole = light_of(cells_of(data), SUN, **OPTICS)[0]
+        expected, _ = light_of(ground, SUN, whole)
+        self.assertGreater(np.ptp(values(expected, "Sunlight")), 0.1)
+        blocks = light_of(multi_block([part(data, 0, 6), cells_of(part(data, 6, 12))]), SUN, **OPTICS)[0]
+        found, messages = light_of(ground, SUN, blocks)
+        self.assertEqual(messages, [])
+        self.check([found], expected)
+        leaf = light_of(multi_block([ground]), SUN, blocks)[0].GetBlock(0)
+        self.check([leaf], expected)
+        _, messages = light_of(ground, SUN, multi_block([data]))
+        self.assertIn("The clouds have no array 'SunTransmittance'", "".join(messages))
 
     def test_another_eye_and_another_sun(self):
         """What was computed before is not taken for what is asked now."""

@@ -1,13 +1,12 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Not a test by itself: draws the pictures, and computes the light, that SunRanks.py compares.
+"""Not a test by itself: draws the pictures that SunRanks.py compares.
 
 Usage: SunRun.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there.
 """
 import sys
 
 import numpy as np
-from vtk.util.numpy_support import vtk_to_numpy
 from PluginTesting import GFS, image, load_plugin, new_view, passed, pvs, set_background, solid, wanted
 
 
@@ -49,30 +48,6 @@ def draw_clouds(view, sun):
     np.save(f"{sys.argv[1]}-clouds.npy", image(view))
 
 
-def leaves(data):
-    return [leaf for i in range(data.GetNumberOfBlocks()) if (leaf := data.GetBlock(i))] if hasattr(data, "GetNumberOfBlocks") else [data]
-
-
-def table_of(data):
-    """Rows of x, y, z and the light there, sorted; points of several ranks once."""
-    names = ("Sunlight", "ScaledExtinction", "SunTransmittance", "Irradiance", "UpwardIrradiance", "AbsorbedLight")
-    rows = [np.column_stack([[leaf.GetPoint(p) for p in range(leaf.GetNumberOfPoints())]] +
-                            [vtk_to_numpy(leaf.GetPointData().GetArray(name)) for name in names]) for leaf in leaves(data)]
-    rows = np.concatenate(rows)
-    _, first = np.unique(np.round(rows[:, :3], 4), axis=0, return_index=True)
-    return rows[first]
-
-
-def compute_light():
-    """Of unstructured clouds, and of blocks of a grid and unstructured clouds, which are in parts on the ranks."""
-    near, far = (pvs.Wavelet(WholeExtent=[first, first + 8, -8, 8, -4, 4]) for first in (-8, 0))
-    lumps = [pvs.Calculator(Input=wavelet, ResultArrayName="Extinction", Function="max(0, RTData - 160) * 0.02") for wavelet in (near, far)]
-    cells = [pvs.AppendDatasets(Input=[one]) for one in lumps]
-    for name, source in (("mesh", pvs.AppendDatasets(Input=lumps)), ("blocks", pvs.GroupDatasets(Input=[lumps[0], cells[1]]))):
-        lit = pvs.Sunlight(Input=source, SunDirection=[2, 1, 0.5])
-        np.save(f"{sys.argv[1]}-light of {name}.npy", table_of(pvs.servermanager.Fetch(lit)))
-
-
 if len(sys.argv) > 2:
     pvs.Connect("localhost", int(sys.argv[2]))
 load_plugin()
@@ -81,8 +56,6 @@ if wanted("shadows"):
     draw_shadows()
 if wanted("shafts"):
     draw_shafts()
-if wanted("light of mesh"):
-    compute_light()
 sun = pvs.Sun(DateTime="2011-10-11 18:00")
 view = new_view((120, 90))
 globe = pvs.GlobeGrid(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VerticalExaggeration=30)
