@@ -95,6 +95,34 @@ class Centres(unittest.TestCase):
         bare = model.drop_vars(["delz", "pressfc", "orog", "tmp"]).assign(cld_amt=model.tmp * 0)
         self.assertIn("pressure summed over the layers, from 0 Pa at the top", written(bare))
 
+    def test_variables_that_a_description_names(self):
+        """As RAQMS writes them: levels from the top, numbered by values without attributes, layers that are thicker upwards, and names that only the description explains."""
+        names = {"delp": ([3000.0, 2000, 1700], "delta pressure", "mb"), "pdash": ([91000.0, 94000, 96000], "pressure", "mb"), "geop": ([900.0, 600, 400], "geopotential height", "m"), "x": (1e-8, "o3 volume mixing ratio", "ppv")}
+        model = on_levels("lev", [233.2, 228.4, 223.6], {name: (np.array(values) / (100 if units == "mb" else 1), {"description": told, "units": units}) for name, (values, told, units) in names.items()}, {}, psfc=(97850.0, {"units": "Pa"}))
+        np.testing.assert_allclose(heights(model), 6371229.0 * np.array([400, 600, 900]) / (6371229.0 - np.array([400, 600, 900])), rtol=1e-4)
+        self.assertIn("pressure: 'pdash'", written(model))
+        for key in ("long_name", "desc", "title"):
+            other = model.copy()
+            other["geop"].attrs = {key: "Geopotential_Height", "units": "m"}
+            self.assertIn("geopotential height: 'geop'", written(other))
+        other["geop"].attrs["units"] = "kg"
+        self.assertNotIn("'geop'", written(other))
+
+    def test_order_of_summed_layers(self):
+        """Given by heights or by the axis; a guess is told where the layers differ little, with the line of the user."""
+        dp = {"delp": ([3000.0, 2000, 1700], {"units": "Pa"}), "geop": ([900.0, 600, 400], {"units": "gpm", "long_name": "geopotential height"}), "x": (1.0, {"units": "1"})}
+        model = on_levels("lev", [233.2, 228.4, 223.6], dp, {}, psfc=(97850.0, {"units": "Pa"}))
+        pressure = lambda data, **roles: data.nephoscope._understood(0, None, roles)[1].pressure[:, 0, 0]  # noqa: E731
+        right = 97850 - np.array([5200.0, 2700, 850])
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            np.testing.assert_allclose(pressure(model), right)
+            np.testing.assert_allclose(pressure(model.drop_vars("geop").assign_coords(lev=("lev", range(3), {"positive": "down"}))), right)
+            np.testing.assert_allclose(pressure(model.drop_vars("geop").assign_coords(lev=("lev", range(3), {"positive": "up"}))), 97850 - np.array([1500.0, 4000, 5850]))
+        with self.assertWarnsRegex(UserWarning, r"'delp': its layers are summed with the last one uppermost, which is a guess .* ds.assign_coords\(lev=\('lev', range\(3\), \{'positive': 'down'\}\)\)") as told:
+            pressure(model.drop_vars("geop"))
+        self.assertEqual(told.filename, __file__)
+
     def test_heights_of_merra(self):
         model = on_levels("lev", [1, 2, 3], {"H": ([9000, 3000, 100], {"units": "m", "standard_name": "mid_layer_heights"}), "QL": (1e-4, {"units": "kg kg-1", "standard_name": "mass_fraction_of_cloud_liquid_water"})},
                           {"units": "layer", "positive": "down", "standard_name": "model_layers"})

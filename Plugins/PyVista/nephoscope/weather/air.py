@@ -11,9 +11,10 @@ from .._checks import listed
 from .columns import KAPPA, from_half_levels, geometric, geopotential_height, hypsometric, midpoints, standard_height, standard_temperature, virtual_temperature
 from .reading import Reading
 from .units import GRAVITY, converted
-from .vertical import VerticalError, formula_terms, usual_coefficients
+from .vertical import VerticalError, formula_terms, runs_down, usual_coefficients
 
 SEA_LEVEL = 101325.0  # Pa
+CLEAR = 2.0  # ratio of the outermost layers of a model from which their thicknesses tell which one is uppermost
 
 
 class Air:
@@ -79,11 +80,29 @@ class Air:
         if not self.reading.has("pressure_thickness"):
             return None
         layers = self.reading.role("pressure_thickness").astype(float)
-        top_first = np.nanmean(layers[0]) < np.nanmean(layers[-1])
+        top_first = self._is_top_first("pressure_thickness", layers, thin_top=True)
         self.reading.note("pressure summed over the layers" + ("" if self.surface_pressure is not None else ", from 0 Pa at the top"))
         if self.surface_pressure is None:
             return midpoints(layers, top_first)
         return self.surface_pressure - midpoints(layers, not top_first)
+
+    def _is_top_first(self, role: str, layers: np.ndarray, thin_top: bool) -> bool:
+        """The order of layers whose thicknesses are summed: that of given heights or of the axis, otherwise a guess by the thicknesses, which is sure only if they differ much."""
+        reading = self.reading
+        for other in ("altitude", "geopotential_height", "geopotential"):
+            if reading.has(other) and reading.vertical.dim in reading.dataset[reading.roles[other]].dims:
+                values = reading.role(other)
+                return bool(np.nanmean(values[0]) > np.nanmean(values[-1]))
+        if (falls := runs_down(reading.dataset, reading.vertical)) is not None:
+            return falls
+        first, last = np.nanmean(layers[0]), np.nanmean(layers[-1])
+        top_first = bool(first < last if thin_top else first > last)
+        if max(first, last) < CLEAR * min(first, last) and len(layers) > 1:
+            name, dim = reading.roles[role], reading.vertical.dim
+            reading.warn(f"{name!r}: its layers are summed with the {'first' if top_first else 'last'} one uppermost, which is a guess by their thickness. If the first one is {'lowest' if top_first else 'uppermost'}, "
+                         f"say so: ds = ds.assign_coords({dim}=({dim!r}, range({len(layers)}), {{'positive': {'up' if top_first else 'down'!r}}})); or name the pressure, "
+                         "globe(pressure='...').")
+        return top_first
 
     def _hybrid_pressure(self) -> np.ndarray | None:
         reading = self.reading
@@ -245,7 +264,7 @@ class Air:
         if not self.reading.has("thickness"):
             return None
         layers = np.abs(self.reading.role("thickness").astype(float))
-        top_first = np.nanmean(layers[0]) > np.nanmean(layers[-1])
+        top_first = self._is_top_first("thickness", layers, thin_top=False)
         self.height_source = f"the layers' thickness {self.reading.roles['thickness']!r}"
         return midpoints(layers, not top_first) + self._ground()
 

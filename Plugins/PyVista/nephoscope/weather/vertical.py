@@ -162,6 +162,16 @@ def _is_reference(variable) -> bool:
     return str(variable.attrs.get("long_name", "")).startswith(("ref full pressure", "reference pressure"))
 
 
+def runs_down(dataset, vertical: Vertical) -> bool | None:
+    """Whether the levels run downwards, by the attribute positive of their axis or by its reference pressures; None if nothing tells."""
+    for variable in _coordinates(dataset, vertical.dim):
+        way = {"up": 1, "down": -1}.get(variable.attrs.get("positive")) or (-1 if _is_reference(variable) else 0)
+        values = np.asarray(variable.values, float)
+        if way and values.size > 1 and values[0] != values[-1]:
+            return bool((values[-1] - values[0]) * way < 0)
+    return None
+
+
 def _by_coefficients(dataset, dim: str) -> Vertical | None:
     """Hybrid levels without formula terms whose coefficients have the usual names."""
     return Vertical(dim, "hybrid", "") if usual_coefficients(dataset, dim) else None
