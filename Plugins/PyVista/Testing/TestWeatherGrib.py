@@ -130,6 +130,24 @@ class Grib(unittest.TestCase):
         self.assertEqual({range_ for actor in plotter.renderer.actors.values() if getattr(getattr(actor, "mapper", None), "array_name", None) == "gh"
                           for range_ in [tuple(np.round(actor.mapper.scalar_range))]}, {(5499, 5501)})
 
+    def test_one_level_beside_layers(self):
+        """As NCEP's models write them, with layers above the ground that have no place in the vertical; of these the first with values is drawn."""
+        layers = [("t", "pressureFromGroundLayer", level, 280.0 + WAVES) for level in (3000, 6000)] + [("r", "pressureFromGroundLayer", level, 50 + 30 * WAVES) for level in (6000, 9000)]
+        layers += [("hlcy", "heightAboveGroundLayer", level, 50.0 + WAVES) for level in (1000, 3000)]
+        fields = [("gh", "isobaricInhPa", level, WAVES + 11 * level) for level in (500, 850, 1000)]
+        write_grib(self.path, [*fields, *layers, ("2t", "heightAboveGround", 2, 280 + WAVES), ("prmsl", "meanSea", 0, 1e5 + 1000 * WAVES)], LAMBERT | {"Nx": 36, "Ny": 17})
+        dataset = nephoscope.open(self.path)
+        ranges = {"t2m": (279, 281), "prmsl": (99000, 101000), "r": (0, 80)}
+        for name, wanted in ranges.items():
+            with warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                plotter = dataset.nephoscope.plot(name, screenshot=str(self.path.with_suffix(".png")), window_size=(100, 100))
+            self.addCleanup(plotter.close)
+            np.testing.assert_allclose(plotter.scalar_bars[name].GetLookupTable().GetRange(), wanted, rtol=2e-3)
+            told = [str(one.message) for one in told if "layers" in str(one.message)]
+            self.assertEqual(bool(told), name == "r", told)
+        self.assertIn("'pressureFromGroundLayer' are 3 layers, which may overlap; number 1, 6000 was taken, the first with values. Choose one: ds.isel(pressureFromGroundLayer=1).", told)
+
     def test_a_file_that_has_changed(self):
         self.winds_in_one_message()
         dataset = nephoscope.open(self.path)

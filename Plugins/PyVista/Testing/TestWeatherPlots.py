@@ -287,6 +287,30 @@ class Plots(unittest.TestCase):
         _, with_levels = self.plotted(both, "ta")
         self.assertGreater(abs(with_levels - beside).max(), 50)
 
+    def test_a_field_of_one_level_beside_two_axes(self):
+        """Levels of one axis, half levels or other pressures, stay out as those of the other; cells and other fields of one level stay."""
+        both = forecast()
+        level = (both.ta.isel(plev=0, drop=True) + np.arange(len(LON)) * xr.ones_like(both.ta.isel(plev=0, drop=True))).assign_attrs(units="K")
+        more = both.ta.isel(plev=slice(2)).rename(plev="lev2").rename("shum")
+        both = both.expand_dims(time=3).assign(tas=level.expand_dims(time=3), shum=more, w=both.ta.pad(plev=(0, 1), mode="edge").rename(plev="plev_stag").drop_vars("plev_stag"))
+        _, beside = self.plotted(both, "tas", time=-1)
+        _, alone = self.plotted(both[["tas"]], "tas", time=-1)
+        self.assertGreater(beside.std(), 10)
+        np.testing.assert_array_equal(beside, alone)
+
+    def test_names_that_are_computed_or_no_fields(self):
+        """WRF's T becomes theta; longitudes place the fields."""
+        from TestWeatherHeights import Models
+        data = Models().wrf()[0]
+        with self.assertWarnsRegex(UserWarning, r"'T' is drawn as 'theta', which is T \+ 300 of the file"):
+            plotter, _ = self.plotted(data, "T")
+        self.assertEqual(list(plotter.scalar_bars.keys()), ["theta"])
+        with self.assertRaisesRegex(ValueError, r"variables: 'P' not on the grid. 'P' of the file has become 'air_pressure', P \+ PB"):
+            data.nephoscope.globe(variables=["P"])
+        for dataset, name in ((data, "XLONG"), (data[["XLONG", "XLAT", "HGT"]].reset_coords(), "XLAT")):
+            with self.assertRaisesRegex(ValueError, rf"'{name}' tells where the points or cells are, and is no field. To draw it, copy its values: ds.assign\(copy=.*\['{name}'\].data"):
+                dataset.nephoscope.plot(name)
+
     def test_temperature_is_drawn_at_the_ground(self):
         """In the lowest point of each column that is above it; as a volume where one is asked for, and other fields always."""
         lon, lat, pressures = np.linspace(0, 30, 7), np.linspace(10, 40, 6), np.array([100000.0, 85000, 50000])

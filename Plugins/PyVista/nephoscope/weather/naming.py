@@ -8,6 +8,7 @@ from typing import Any
 
 from .._checks import listed
 from .derived import QUANTITIES, computable
+from .prepare import made_of
 from .reading import KINDS, Reading
 from .roles import ROLES
 from .sea import is_of_water
@@ -36,6 +37,9 @@ def named(reading: Reading, name: str) -> tuple[str, dict[str, Any]]:
         return name, {"variables": [name]}
     if name in reading.dataset.variables:
         raise ValueError(_why_not(reading, name, fields))
+    if (made := made_of(reading.dataset, name)) and made[0] in fields:
+        reading.warn(f"{name!r} is drawn as {made[0]!r}, which is {made[1]} of the file.")
+        return made[0], {"variables": [made[0]]}
     if name in reading.roles and reading.roles[name] in fields:
         return reading.roles[name], {"variables": [reading.roles[name]]}
     if name in QUANTITIES and (name != "temperature" or name in computable(reading)):
@@ -55,6 +59,8 @@ def _why_not(reading: Reading, name: str, fields: list[str]) -> str:
     variable = reading.dataset[name]
     if variable.dtype.kind not in KINDS:
         return f"{name!r} is of type {variable.dtype}, but a field must have numbers. Convert it, ds[{name!r}].astype('float32'), or draw another: {listed(fields)}."
+    if name in reading.helpers:
+        return f"{name!r} tells where the points or cells are, and is no field. To draw it, copy its values: ds.assign(copy=({variable.dims!r}, ds[{name!r}].data)). There are: {listed(fields)}."
     wanted = [*([reading.vertical.dim] if reading.vertical else []), *reading.horizontal.dims]
     others = [dim for dim in variable.dims if dim not in wanted]
     of_another_grid = not others or variable.ndim <= len(reading.horizontal.dims)

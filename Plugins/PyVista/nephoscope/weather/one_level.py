@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .accessor import WeatherAccessor
+from .helpers import helpers
 from .horizontal import is_latitude, is_longitude
 from .sections import as_section
-from .vertical import VerticalError
+from .vertical import VerticalError, is_layer
 
 if TYPE_CHECKING:
     import xarray
@@ -41,19 +42,19 @@ def one_level(dataset: xarray.Dataset, name: str | None, time: int | str | np.da
             return alone if len(alone.data_vars) < len(dataset.data_vars) else None
     if name not in reading.dataset.data_vars or not _is_beside_others(reading, name):
         return None
-    level = dataset if reading.vertical is None else dataset.drop_dims(reading.vertical.dim)
-    return level if set(reading.dataset[name].dims) == set(reading.horizontal.dims) else _on_grid_of(level, name)
+    return _on_grid_of(dataset, name)
 
 
 def _is_beside_others(reading: Reading, name: str) -> bool:
     """Whether the field covers a grid, has no levels, and is none of the fields that are put on the mesh of the dataset."""
     dims = reading.dataset[name].dims
     has_levels = reading.vertical is not None and reading.vertical.dim in dims
-    return len(dims) >= len(reading.horizontal.dims) and not has_levels and name not in dict(reading.field_variables())
+    return len(dims) >= len(reading.horizontal.dims) and not has_levels and name not in reading.helpers and name not in dict(reading.field_variables())
 
 
 def _on_grid_of(dataset: xarray.Dataset, name: str) -> xarray.Dataset:
-    """The dataset without the variables that have a dimension which the field has not; its longitudes and latitudes stay."""
-    own = set(dataset[name].dims)
-    stays = lambda other, variable: set(variable.dims) <= own or is_longitude(str(other), variable) or is_latitude(str(other), variable)  # noqa: E731
-    return dataset.drop_vars([other for other, variable in dataset.data_vars.items() if not stays(other, variable)])
+    """The dataset without the variables that have a dimension which the field has not, on whichever levels; longitudes, latitudes and what describes cells stay."""
+    own, kept = set(dataset[name].dims), {name, *helpers(dataset)}
+    shared = {dim for dim in own if not is_layer(str(dim))}  # of layers, the first on which this field has values is drawn
+    stays = lambda other, variable: set(variable.dims) <= shared or other in kept or variable.dims == (other,) or is_longitude(str(other), variable) or is_latitude(str(other), variable)  # noqa: E731
+    return dataset.drop_vars([other for other, variable in dataset.variables.items() if not stays(other, variable)])

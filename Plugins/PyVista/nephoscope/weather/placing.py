@@ -17,6 +17,7 @@ from .air import Air
 from .horizontal import GridError
 from .look import note_look
 from .naming import UNITS, word
+from .prepare import made_of
 from .reading import Reading
 from .sea import DEEPEST, is_below
 from .units import UnitsError, simple
@@ -158,7 +159,8 @@ def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
     wanted = there if variables is None else [variables] if isinstance(variables, str) else list(map(word, variables))
     missing = [name for name in wanted if name not in fields]
     if missing:
-        raise ValueError(f"variables: {listed(missing)} not on the grid. There are: {listed(fields)}.")
+        made = "".join(f" {name!r} of the file has become {found[0]!r}, {found[1]}." for name in missing if (found := made_of(reading.dataset, name)))
+        raise ValueError(f"variables: {listed(missing)} not on the grid.{made} There are: {listed(fields)}.")
     return _with_usable_units(reading, wanted, variables is not None)
 
 

@@ -7,8 +7,15 @@ import re
 
 import numpy as np
 
+MADE_OF = "nephoscope_made_of"  # attribute of computed variables: the formula, with the names in the file
 WRF_GRAVITY = 9.81  # m/s2, WRF's constant: its geopotential divided by this is its height
 WRF_TEMPERATURE = 300.0  # K, the base value of WRF's T
+
+
+def made_of(dataset, name: str) -> tuple[str, str] | None:
+    """The variable that `prepared` has computed from the variable `name` of the file, and its formula; None if there is none."""
+    formulas = {str(made): str(variable.attrs[MADE_OF]) for made, variable in dataset.variables.items() if MADE_OF in variable.attrs}
+    return next(((made, formula) for made, formula in formulas.items() if name in re.findall(r"\w+", formula)), None)
 
 
 def prepared(dataset):
@@ -53,13 +60,13 @@ def _with_coefficients(dataset):
 
 
 def _wrf(dataset):
-    added = {"altitude": ((dataset["PH"] + dataset["PHB"]) / WRF_GRAVITY, "m", "altitude")}
+    added = {"altitude": ((dataset["PH"] + dataset["PHB"]) / WRF_GRAVITY, "m", "altitude", f"(PH + PHB) / {WRF_GRAVITY}")}
     if {"P", "PB"} <= set(dataset.data_vars):
-        added["air_pressure"] = dataset["P"] + dataset["PB"], "Pa", "air_pressure"
+        added["air_pressure"] = dataset["P"] + dataset["PB"], "Pa", "air_pressure", "P + PB"
     if "T" in dataset.data_vars:
-        added["theta"] = dataset["T"] + WRF_TEMPERATURE, "K", "air_potential_temperature"
+        added["theta"] = dataset["T"] + WRF_TEMPERATURE, "K", "air_potential_temperature", f"T + {WRF_TEMPERATURE:g}"
     dataset = dataset.drop_vars([name for name in ("PH", "PHB", "P", "PB", "T") if name in dataset])
-    dataset = dataset.assign({name: field.assign_attrs(units=units, standard_name=standard) for name, (field, units, standard) in added.items()})
+    dataset = dataset.assign({name: field.assign_attrs({"units": units, "standard_name": standard, MADE_OF: made}) for name, (field, units, standard, made) in added.items()})
     for name in ("U", "V"):
         if name in dataset:
             dataset[name] = dataset[name].assign_attrs(nephoscope_along_grid=1)

@@ -20,7 +20,7 @@ from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import centres_of, is_staggered, shares_axes, to_centres
 from .times import choose_time, is_member, time_dims
 from .units import UnitsError, converted, in_fractions, knows, plain, says_fraction, without_fill_values
-from .vertical import VerticalError, find_lengths, find_vertical, level_values, pressure_of_level
+from .vertical import VerticalError, find_lengths, find_vertical, is_layer, is_other_axis, level_values, pressure_of_level
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
 
@@ -59,7 +59,7 @@ class Reading:
         self._of_one_time = self.dataset
         self.dataset, fractions = in_fractions(prepared(self._one_member(self._without_single(self.dataset))))
         self.notes += fractions
-        self._helpers = helpers(self.dataset)
+        self.helpers = helpers(self.dataset)
         self._asked = {role: name for role, name in (names or {}).items() if name is not None}
         self._check_asked()
         self._find_levels(vertical)
@@ -85,7 +85,7 @@ class Reading:
 
     def _numbers(self):
         """Variables that can be fields, without those that only describe the cells."""
-        return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self._helpers]
+        return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self.helpers]
 
     def _find_levels(self, asked: str | None) -> None:
         several = [variable for _, variable in self._numbers() if variable.ndim > 1]
@@ -107,11 +107,24 @@ class Reading:
             self.vertical = find_vertical(self.dataset, lengths, lengths[0])
         elif (dim := self._dim_of_heights(list(map(str, dims)))) is not None:
             self.vertical = find_vertical(self.dataset, [dim], dim)
+        elif layers := [str(dim) for dim in dims if is_layer(str(dim)) and not self._is_horizontal(dim)]:
+            for dim in layers:
+                self._take_layer(dim)
         elif any(variable.ndim > 2 and not all(map(self._is_horizontal, variable.dims)) for _, variable in self._numbers()):
             raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
                                 "levels, units of pressure or length, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one index along the "
                                 "dimension that is not vertical: "
                                 f"ds.isel({self._unplaced(dims)}=0). If the axes are lengths, the data are flat: ds.nephoscope.grid(x='...', y='...', z='...').")
+
+    def _take_layer(self, dim: str) -> None:
+        """The first layer that has values. Layers of this kind may overlap, so that they are no axis."""
+        size, axis = self.dataset.sizes[dim], self.dataset.variables.get(dim)
+        fields = [variable for _, variable in self._numbers() if dim in variable.dims]
+        first = next((i for i in range(size) if any(np.isfinite(_numbers(field.isel({dim: i}).values)).any() for field in fields)), 0)
+        told = "" if axis is None else f", {axis.values[first]:g}"
+        if size > 1:
+            self.warn(f"{dim!r} are {size} layers, which may overlap; number {first}{told} was taken, the first with values. Choose one: ds.isel({dim}={first}).")
+        self.dataset = self.dataset.isel({dim: first})
 
     def _dim_of_heights(self, dims: list[str]) -> str | None:
         """The dimension along which the heights or pressures of all points increase, or all decrease; None if there is none."""
@@ -174,7 +187,7 @@ class Reading:
         return [(name, variable) for name, variable in self._all_numbers() if self._is_field(variable)]
 
     def _all_numbers(self):
-        return [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self._helpers]
+        return [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self.helpers]
 
     def _is_field(self, variable) -> bool:
         if self.vertical is None:
@@ -191,7 +204,7 @@ class Reading:
         return any(self._near(dim, own) for own in missing)
 
     def _near(self, dim, own) -> bool:
-        return abs(self.dataset.sizes[dim] - self.dataset.sizes[own]) <= 1
+        return abs(self.dataset.sizes[dim] - self.dataset.sizes[own]) <= 1 and not (self.vertical and own == self.vertical.dim and is_other_axis(str(dim), str(own)))
 
     def ground_variables(self):
         return [(name, variable) for name, variable in self._all_numbers() if set(variable.dims) == set(self.horizontal.dims)

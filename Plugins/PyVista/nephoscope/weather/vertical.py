@@ -26,6 +26,19 @@ _FORMULAS = {"atmosphere_hybrid_sigma_pressure_coordinate": "hybrid", "atmospher
              "atmosphere_ln_pressure_coordinate": "log pressure", **{name: "ocean sigma" for name in OCEAN}}
 
 
+_LAYERS = re.compile(r"[a-z]\w*Layer")
+
+
+def is_layer(dim: str) -> bool:
+    """Whether a dimension is a type of level of GRIB that has layers above the ground, in the soil and the like, which may overlap and are no vertical axis."""
+    return bool(_LAYERS.fullmatch(dim)) and dim not in _GRIB_KINDS
+
+
+def is_other_axis(dim: str, own: str) -> bool:
+    """Whether a dimension is a type of level of GRIB with another meaning than the vertical axis `own`, however many levels both have."""
+    return (dim in _GRIB_KINDS or is_layer(dim)) and _GRIB_KINDS.get(dim) != _GRIB_KINDS.get(own)
+
+
 class VerticalError(ValueError):
     """Levels that cannot be placed; the message names what was looked for and what the dataset has."""
 
