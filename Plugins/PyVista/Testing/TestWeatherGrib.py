@@ -41,6 +41,17 @@ class Grib(unittest.TestCase):
                 grid = dataset.nephoscope.globe(time="2020-01-02")
                 self.assertEqual(set(grid.point_data) - {"vtkGhostType"}, {"gh", "t", "cc", "Height", "BelowGround"})
 
+    def test_single_points_and_fields(self):
+        """Any selection, down to one value, is that of the whole."""
+        self.forecast()
+        dataset = nephoscope.open(self.path)
+        for field in (dataset.t, dataset.t2m.isel(time=0), dataset.orog):
+            whole = field.values
+            for index in ({"latitude": 3, "longitude": 5}, {"latitude": 3}, {"latitude": slice(0, 0)}, {"latitude": slice(2, 3), "longitude": 5}):
+                key = tuple(index.get(dim, slice(None)) for dim in field.dims)
+                np.testing.assert_array_equal(field.isel(index).values, whole[key])
+            np.testing.assert_array_equal(field.isel({dim: 1 for dim in field.dims}).values, whole[(1,) * field.ndim])
+
     def test_nothing_is_decoded_that_is_not_drawn(self):
         self.forecast()
         with mock.patch.object(grib, "decode", wraps=grib.decode) as decode:

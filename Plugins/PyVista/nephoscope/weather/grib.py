@@ -344,7 +344,7 @@ def _lazy(path: Path, messages: list[Message], table: np.ndarray, grid: Grid):
             wanted = table[key[:table.ndim]]
             inside = key[table.ndim:]
             fields = [self._field(i)[inside] for i in np.ravel(wanted)]
-            return np.stack(fields).reshape(*np.shape(wanted), *fields[0].shape) if fields else np.empty((*np.shape(wanted), *np.empty(grid.shape)[inside].shape), np.float32)
+            return np.stack(fields).reshape((*np.shape(wanted), *fields[0].shape)) if fields else np.empty((*np.shape(wanted), *np.empty(grid.shape)[inside].shape), np.float32)
 
         def _field(self, i: int) -> np.ndarray:
             return grid.arranged(decode(path, messages[i])) if i >= 0 else np.full(grid.shape, np.nan, np.float32)
