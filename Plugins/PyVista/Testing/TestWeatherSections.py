@@ -199,6 +199,18 @@ class Sections(unittest.TestCase):
                 west = np.asarray(sheet["place"])[np.argmin(sheet.points[:, 0])]
                 self.assertAlmostEqual(float(west), (-0.04 if "y" not in section.dims or section.sizes["y"] == 1 else -60), 4)
 
+    def test_longitudes_with_times(self):
+        """As WRF has them, where one of the winds is on faces of the cells that have none."""
+        data = self.curvilinear().expand_dims(Time=3)
+        data = data.assign_coords({name: data[name].expand_dims(Time=3) for name in ("lon", "lat")})
+        data["u"] = data.place.pad(x=(0, 1), mode="edge").rename(x="x_stag").assign_attrs(units="m s-1")
+        for section, options in ((data.isel(y=12), {"time": 0}), (data.isel(y=12), {"time": -1}), (data.isel(x=8), {"time": 1}), (data.isel(x=8, Time=0), {})):
+            plotter, sheet = self.drawn(section, **options)
+            self.assertRegex(self.labels(plotter, "x")[-1], "km from .* to ")
+        _, sheet = self.drawn(data.isel(y=12), "u", time=0)
+        self.assertAlmostEqual(float(np.ptp(sheet["u"])), 0.0775, 5)  # the outermost faces are half a cell away
+        self.assertEqual(sheet.n_points, LON.size * HEIGHTS.size)
+
     def test_rows_of_rotated_poles(self):
         """With and without longitudes and latitudes in the file; the wind speed is the same."""
         data = dataset().drop_vars(["lon", "lat"]).rename(lat="rlat", lon="rlon").assign_coords(

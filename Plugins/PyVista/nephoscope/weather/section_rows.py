@@ -10,6 +10,8 @@ import numpy as np
 
 from .horizontal import is_latitude, is_longitude
 from .projections import vectors
+from .stagger import is_same_axis, is_staggered
+from .times import time_dims
 
 ROW = "section_row"  # the dimension of one entry that such a row gets
 LONGEST = 7.0  # radians along a line; once around the globe is 6.3
@@ -23,7 +25,7 @@ def as_row(dataset: Any) -> Any:
     """The dataset; if its points lie along a line, which one index along a row or a column leaves of a grid, with a dimension of one entry beside that of the line."""
     lines = _lines(dataset)
     if lines:
-        return _with_row(dataset, lines)
+        return _with_row(dataset, lines | _faces(dataset, lines))
     axis = _left_out(dataset)
     return dataset if axis is None else _with_row(dataset.drop_vars(axis), set(_dims(dataset)), axis).assign_coords({axis: dataset[axis].expand_dims(axis)})
 
@@ -42,9 +44,16 @@ def _with_row(dataset: Any, lines: set[str], row: str = ROW) -> Any:
 
 
 def _lines(dataset: Any) -> set[str]:
-    """The dimensions along which both longitudes and latitudes lie, and these along a line."""
-    longitudes, latitudes = ({variable.dims[0]: variable for name, variable in dataset.variables.items() if variable.ndim == 1 and fits(str(name), variable)} for fits in (is_longitude, is_latitude))
+    """The dimensions along which both longitudes and latitudes lie, and these along a line; at the first time, as WRF's have times."""
+    first = {dim: 0 for dim in time_dims(dataset)}
+    there = {name: variable.isel(first, missing_dims="ignore") for name, variable in dataset.variables.items() if 0 < variable.ndim < 3}
+    longitudes, latitudes = ({variable.dims[0]: variable for name, variable in there.items() if variable.ndim == 1 and fits(str(name), variable)} for fits in (is_longitude, is_latitude))
     return {str(dim) for dim in longitudes if dim in latitudes and not _has_cells(dataset, dim) and is_line(vectors(longitudes[dim].values, latitudes[dim].values))}
+
+
+def _faces(dataset: Any, lines: set[str]) -> set[str]:
+    """The dimensions of faces of the cells along these lines, which may have no longitudes and latitudes."""
+    return {str(dim) for dim in dataset.dims for line in lines if is_staggered(dim) and abs(dataset.sizes[dim] - dataset.sizes[line]) <= 1 and (str(dim).startswith(line) or is_same_axis(dim, line))}
 
 
 def _has_cells(dataset: Any, dim: Any) -> bool:

@@ -32,10 +32,11 @@ def centres_of(dataset, shapes) -> str | None:
 
 def shares_axes(shape, dims) -> bool:
     """Whether some dimensions are the same, or all have the same names but for their places, as ROMS' (eta_u, xi_u) and (eta_rho, xi_rho)."""
-    return bool(set(shape) & set(dims)) or all(map(_same_axis, shape, dims))
+    return bool(set(shape) & set(dims)) or all(map(is_same_axis, shape, dims))
 
 
-def _same_axis(a, b) -> bool:
+def is_same_axis(a, b) -> bool:
+    """Whether the names differ only in what follows the last underscore, as ROMS' xi_u and xi_rho."""
     stems = [str(dim).rpartition("_")[0] for dim in (a, b)]
     return stems[0] == stems[1] != ""
 
