@@ -118,6 +118,24 @@ class Plots(unittest.TestCase):
             with self.assertRaisesRegex(TypeError, f"^{next(iter(option))}: .*plotter is given"):
                 data.nephoscope.plot("cl", plotter=plotter, **option)
 
+    def test_text_is_readable_in_the_plotter_of_a_user(self):
+        """On any background, also where the theme has black text; before a dark globe, dark text has the bright background behind it."""
+        data = forecast()
+        for background, bright in (("white", True), ("black", False), ("#202030", False)):
+            for name, options in (("ta", {}), ("cl", {}), ("ta", {"projection": "map"})):
+                plotter = pyvista.Plotter(shape=(1, 2), off_screen=True, window_size=(200, 100))
+                self.addCleanup(plotter.close)
+                plotter.subplot(0, 1)
+                plotter.set_background(background, all_renderers=False)
+                data.nephoscope.plot(name, plotter=plotter, **options)
+                (bar,) = plotter.scalar_bars.values()
+                for prop in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+                    self.assertEqual(prop.GetColor(), (0, 0, 0) if bright else (1, 1, 1))
+                    self.assertEqual(prop.GetBackgroundOpacity() > 0.7 and prop.GetBackgroundColor() == (1, 1, 1), bright)
+                if options:
+                    labels = plotter.renderers[1].actors["labels_x_1-labels"].GetMapper().GetInputAlgorithm().GetTextProperty()
+                    self.assertEqual(labels.GetColor(), (0, 0, 0) if bright else (1, 1, 1))
+
     def test_a_wide_map_has_a_low_window(self):
         level = isothermal(np.arange(0, 360, 10.0), np.arange(-90, 91, 10.0)).isel(plev=1)
         plotter = level.nephoscope.plot("ta", projection="map", screenshot=str(Path(self.enterContext(tempfile.TemporaryDirectory()), "a.png")))

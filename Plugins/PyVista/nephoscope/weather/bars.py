@@ -14,6 +14,8 @@ from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
 from .._bars import title_in
+from .._fields import is_bright
+from .._medium import text_colour
 from .view import size_of
 
 FONTS = {"title_font_size": 14, "label_font_size": 12}
@@ -25,6 +27,7 @@ ALIKE = 0.5  # fields with one title have one range if more than this fraction o
 RIGHT = 0.885  # left edge of an upright bar in a window that has room beside it, as a share of the width
 EDGE = 6  # pixels between text and the edge of the window
 NARROWEST = 26  # pixels of a bar with its labels' gap
+PAPER = 0.8  # opacity behind dark text
 PARTS = 0.05  # of the distance between labels: the greatest rounding of a label
 
 
@@ -55,6 +58,7 @@ def finish_bars(plotter: pyvista.BasePlotter, before: list[vtkScalarBarActor], t
             continue
         text = title(title_in(key))
         set_title(bar, text)
+        _make_readable(plotter, bar)
         _label(bar)
         if clim is None:
             _share_range(plotter, key, bar, text)
@@ -67,6 +71,15 @@ def finish_bars(plotter: pyvista.BasePlotter, before: list[vtkScalarBarActor], t
         for bar in alike:
             widest = max(_width(plotter, bar.GetLabelTextProperty(), label) for label in _labels(bar, bool(bar.GetLookupTable().UsingLogScale())))
             (_fit_upright if upright else _fit_lying)(plotter, bar, widest)
+
+
+def _make_readable(plotter: pyvista.BasePlotter, bar: vtkScalarBarActor) -> None:
+    """Text of a colour that stands out from the background; dark text, which may be over the dark globe, has the background behind it."""
+    for prop in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
+        prop.SetColor(text_colour(plotter).float_rgb)
+        if is_bright(plotter.background_color):
+            prop.SetBackgroundColor(plotter.background_color.float_rgb)
+            prop.SetBackgroundOpacity(PAPER)
 
 
 def _label(bar: vtkScalarBarActor) -> None:

@@ -9,6 +9,7 @@ from typing import Any, Callable
 import numpy as np
 import pyvista
 
+from .._medium import text_colour
 from ..globe import EARTH_RADIUS, is_map
 from .sea import is_sea
 
@@ -74,4 +75,4 @@ def say(plotter: Any, grid: pyvista.DataSet) -> None:
     """Writes an exaggeration of flat data, which have none unless it is needed, into the picture."""
     factor = float(np.ravel(grid.field_data.get("VerticalExaggeration", [1.0]))[0])
     if factor != 1:
-        plotter.add_text(f"heights x {factor:g}", position=(0.02, 0.02), viewport=True, font_size=8, color=plotter.theme.font.color, name="vertical_exaggeration")
+        plotter.add_text(f"heights x {factor:g}", position=(0.02, 0.02), viewport=True, font_size=8, color=text_colour(plotter), name="vertical_exaggeration")

@@ -8,6 +8,8 @@ from typing import Sequence
 import numpy as np
 import pyvista
 
+from .._medium import text_colour
+
 EAST, NORTH = "degrees east", "degrees north"  # titles of the axes of a map
 
 
@@ -26,10 +28,10 @@ def add_scales(plotter: pyvista.BasePlotter, bounds: Sequence[float], flat: str,
         ends = feet.copy()
         ends[:, j] -= gap
         lines = [*zip(feet[:-1], ends[:-1]), (bounds[:, 0], [bounds[k, 1 if k == i else 0] for k in range(3)])]
-        plotter.add_mesh(pyvista.line_segments_from_points(np.reshape(lines, (-1, 3))), color=plotter.theme.font.color, lighting=False, name=f"scale_{letter}", reset_camera=False)
+        plotter.add_mesh(pyvista.line_segments_from_points(np.reshape(lines, (-1, 3))), color=text_colour(plotter), lighting=False, name=f"scale_{letter}", reset_camera=False)
         ends[-1] += (0.05 * spans.max()) * np.eye(3)[i] if letter == letters[1] else (-4 * gap) * np.eye(3)[j]
         plotter.add_point_labels(ends, _texts(values, axis_title), show_points=False, shape=None, font_size=13, always_visible=True, margin=0,
-                                 text_color=plotter.theme.font.color, bold=False, justification_horizontal=where[0], justification_vertical=where[1], name=f"labels_{letter}_{plot}" if plot else f"labels_{letter}", reset_camera=False)
+                                 text_color=text_colour(plotter), bold=False, justification_horizontal=where[0], justification_vertical=where[1], name=f"labels_{letter}_{plot}" if plot else f"labels_{letter}", reset_camera=False)
 
 
 def _texts(values: np.ndarray, axis_title: str) -> list[str]:
