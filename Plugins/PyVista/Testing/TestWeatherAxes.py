@@ -3,6 +3,7 @@
 """Axes in any order, times of any kind, and fields by any of their names."""
 import unittest
 import warnings
+from unittest import mock
 
 import nephoscope
 import numpy as np
@@ -174,6 +175,24 @@ class Times(unittest.TestCase):
                 np.testing.assert_array_equal(dataset.nephoscope.series().seconds, [0, 6 * 3600])
         odd = days.assign_coords(time=("time", [20200230.0, 20200230.5], days.time.attrs))
         self.assertIn("20200230.0", odd.nephoscope.describe())
+
+    def test_dates_of_model_years(self):
+        """Year 21 of HYCOM, also for one step beside another coordinate of times, and year 1 of ideal runs of WRF; without cftime there are no dates."""
+        base = isothermal(np.arange(0, 40, 5.0), LAT)
+        both = xr.concat([base, base], "Time", data_vars="all", coords="minimal")
+        about = {"long_name": "date", "units": "day as %Y%m%d.%f"}
+        wrf = both.assign(Times=("Time", np.array(["0001-06-21_18:00:00", "0001-06-22_00:00:00"], "S19")))
+        days = both.rename(Time="MT").assign_coords(MT=("MT", [7215.25, 7216.0], {"axis": "T"}), Date=("MT", [210116.25, 210117.0], about))
+        for dataset, year in ((wrf, "0001-06-21 18"), (days.assign_coords(MT=("MT", [210116.25, 210117.0], about)), "0021-01-16 06")):
+            with self.subTest(year):
+                text = dataset.nephoscope.describe()
+                self.assertIn(year, text)
+                self.assertEqual(np.diff(dataset.nephoscope.series().seconds)[0], 3600 * (6 if year[:4] == "0001" else 18))
+        for dataset in (days, days.isel(MT=0)):
+            self.assertIn("heights:", dataset.nephoscope.describe())
+        with mock.patch.dict("sys.modules", cftime=None):
+            for dataset in (wrf, days):
+                self.assertIn("heights:", dataset.nephoscope.describe())
 
     def test_members(self):
         for dim in ("number", "realization"):

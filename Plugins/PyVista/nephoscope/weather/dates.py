@@ -10,6 +10,7 @@ import numpy as np
 
 _DAYS = re.compile(r"day\s+as\s+%Y%m%d(\.%f)?")  # units of times by CDO and ICON, such as 20200101.25
 _WRITTEN = re.compile(r"(\d{4}-\d\d-\d\d)[_T ](\d\d:\d\d:\d\d)")  # in WRF's variable Times
+FIRST, LAST = np.datetime64("1678-01-01"), np.datetime64("2262-01-01")  # between which dates have nanoseconds
 _STARTS = ("forecast_reference_time", "reftime", "initial_time", "init_time")
 _LEADS = ("step", "forecast_time", "leadtime", "lead_time", "prediction_timedelta", "forecast_period")
 
@@ -26,14 +27,31 @@ def with_dates(dataset):
 
 
 def _of_days(days: np.ndarray) -> np.ndarray | None:
-    """None if these are no dates, as the 30th of February in a calendar of equal months."""
+    """None if these are no dates, as the 30th of February in a calendar of equal months; see also `in_range`."""
     days = np.asarray(days, float)
     try:
         whole = [np.datetime64("NaT" if np.isnan(day) else f"{int(day) // 10000:04}-{int(day) // 100 % 100:02}-{int(day) % 100:02}", "s") for day in np.ravel(days)]
     except ValueError:
         return None
     seconds = np.rint(86400 * np.nan_to_num(np.ravel(days) % 1)).astype("m8[s]")
-    return (np.array(whole, "M8[s]") + seconds).astype("M8[ns]").reshape(days.shape)
+    dates = in_range(np.array(whole, "M8[s]") + seconds)
+    return None if dates is None else dates.reshape(days.shape)
+
+
+def in_range(dates: np.ndarray) -> np.ndarray | None:
+    """Dates in seconds as xarray has them: in nanoseconds or, for years such as those of models' runs that these do not reach, as cftime's; None if cftime is missing or there are gaps in such years."""
+    known = dates[~np.isnat(dates)]
+    if not known.size or FIRST < known.min() and known.max() < LAST:
+        return dates.astype("M8[ns]")
+    try:
+        import cftime
+    except ImportError:
+        return None
+    if known.size < dates.size:
+        return None
+    found = np.empty(dates.shape, object)
+    found[...] = [cftime.DatetimeProlepticGregorian(*one.timetuple()[:6]) for one in dates.tolist()]
+    return found
 
 
 def _with_written_dates(dataset):
@@ -48,7 +66,9 @@ def _with_written_dates(dataset):
     written = [_WRITTEN.match(_text(value)) for value in np.ravel(values)]
     if not written or not all(written):
         return dataset
-    dates = np.array([f"{found[1]}T{found[2]}" for found in written], "M8[ns]")
+    dates = in_range(np.array([f"{found[1]}T{found[2]}" for found in written], "M8[s]"))
+    if dates is None:
+        return dataset
     return dataset.assign_coords(Time=dates[0] if times.ndim == 0 else ("Time", dates))
 
 
