@@ -108,6 +108,32 @@ class Parts(unittest.TestCase):
             for name, factor, units in (("cc", 1.02, "1"), ("cc", 100, "%"), ("mixed", 100, "1")):
                 self.assertAlmostEqual(weather(name, factor * RANDOM / RANDOM.max(), units=units).nephoscope.globe()[name].max(), factor, places=4)
 
+    def test_units_that_the_values_contradict(self):
+        """A warning tells the units that they seem to have, once; the units are used as they are. Differences, other planets and the upper atmosphere have none."""
+        shape = np.linspace(0, 1, RANDOM.size).reshape(RANDOM.shape)
+        cases = (("t", 190 + 120 * shape, "C", "K"), ("t", 90 * shape - 70, "K", "degC"), ("r", 100 * shape, "1", "%"), ("q", 20 * shape, "kg/kg", "g kg-1"), ("theta", 400 - 700 * shape, "K", None),
+                 ("t", 190 + 120 * shape, "K", None), ("t", 90 * shape - 70, "degC", None), ("t", 200 + 1500 * shape, "K", None), ("t", 40 * shape - 20, "K", None), ("theta", 280 + 2000 * shape, "K", None), ("r", 1.3 * shape, "1", None),
+                 ("r", 120 * shape, "%", None), ("q", 0.02 * shape, "1", None), ("q", 1e-5 * shape, "g/kg", None))
+        for name, values, units, better in cases:
+            with self.subTest(name=name, units=units, better=better), warnings.catch_warnings(record=True) as told:
+                warnings.simplefilter("always")
+                data = weather(name, values, units=units)
+                data[name][0, 0, 0] = -9999
+                data.nephoscope.globe(derive="temperature" if name == "t" else ())
+                text = [str(one.message) for one in told if "seem to be in" in str(one.message)]
+                self.assertEqual(len(text), better is not None, text)
+                if better:
+                    self.assertRegex(text[0], rf"^'{name}' has the units '{units}', but values from .* which are no .* in these: they seem to be in {better}. Set its units: ds\['{name}'\].attrs\['units'\] = '{better}'.$")
+                    self.assertIn("seem to be in", data.nephoscope.describe())
+                    data[name].attrs["units"] = better
+                    self.assertNotIn("seem to be in", data.nephoscope.describe())
+        ground = weather("t", 250 + shape, units="K").assign(sp=(("latitude", "longitude"), 95000 + 6000 * shape[0], {"units": "hPa"}))
+        for units, better in (("hPa", "Pa"), ("Pa", None)):
+            ground.sp.attrs["units"] = units
+            self.assertEqual("they seem to be in Pa" in ground.nephoscope.describe(), better is not None)
+        mars = ground.assign(sp=(ground.sp / 160).assign_attrs(units="Pa"))
+        self.assertNotIn("seem to be in", mars.nephoscope.describe())
+
     def test_series(self):
         data = xr.concat([weather("cc", np.full((3, 7, 9), value), units="okta") for value in (8.0, 4.0)], "time").assign_coords(time=[0, 1])
         series = data.nephoscope.series()

@@ -14,7 +14,7 @@ from .land import may_have_zeros
 from .reading import Reading
 from .roles import ROLES
 from .times import listed_times
-from .units import UnitsError
+from .units import CHECKED, UnitsError
 from .winds import winds
 
 WIDE_GAP = 60.0  # degrees without a longitude: the points are those of a region
@@ -37,11 +37,12 @@ def not_understood(dataset, problem: Exception) -> str:
 
 
 def _look_at_values(reading: Reading) -> None:
-    """Notes the zeros of land in temperature, salinity and currents of the sea, and cloud fractions that are percent."""
+    """Notes the zeros of land in temperature, salinity and currents of the sea, cloud fractions that are percent, and units that the values contradict."""
+    checked = {reading.roles.get(role) for role in CHECKED}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # a note says the same
         for name in reading.plain_variables():
-            if may_have_zeros(name, reading.dataset[name]) or name in reading.fractions:
+            if may_have_zeros(name, reading.dataset[name]) or name in reading.fractions or name in checked:
                 reading.values(name)
 
 

@@ -19,7 +19,7 @@ from .prepare import prepared
 from .roles import FIELDS, ROLES, SURFACE, candidates, quantity_of
 from .stagger import centres_of, is_staggered, shares_axes, to_centres
 from .times import choose_time, is_member, time_dims
-from .units import UnitsError, converted, in_fractions, knows, plain, says_fraction, without_fill_values
+from .units import CHECKED, UnitsError, better_units, converted, in_fractions, knows, plain, says_fraction, without_fill_values
 from .vertical import VerticalError, find_lengths, find_vertical, is_layer, is_other_axis, level_values, pressure_of_level
 
 OTHER_HORIZONTAL = ("surface", "hybrid", "sigma", "unknown")  # typeOfLevel of variables on the ground; lnsp is said to be on a hybrid level
@@ -52,6 +52,7 @@ class Reading:
 
     def __init__(self, dataset, *, time=None, vertical: str | None = None, names: dict | None = None) -> None:
         self.notes: list[str] = []
+        self._checked: set[str] = set()  # names whose units have been looked at
         self.unusable: dict[str, str] = {}  # role -> the problem with the units of its variable
         refuse_empty(dataset)
         self.times = time_dims(dataset)
@@ -263,8 +264,20 @@ class Reading:
             undeclared = np.isin(found, UNDECLARED)
             self.note(f"{name!r}: {undeclared.sum()} values of {found[undeclared][0]:g} are taken as missing" if undeclared.any() else "")
             gone |= undeclared
+        self._look_at_units(name, found[~gone])
         land = self._land_of_mask(name, found)
         return self._in_fractions(name, np.where(gone | (self._zeros_of_land(name, found) if land is None else land), np.nan, found))
+
+    def _look_at_units(self, name: str, found: np.ndarray) -> None:
+        """Warns once of units that the values contradict. They are used as they are stated."""
+        units = self.dataset[name].attrs.get("units")
+        role = next((role for role in CHECKED if self.roles.get(role) == name and name not in self._checked), None)
+        if role is None:
+            return
+        self._checked.add(name)
+        if (better := better_units(found, units, role)) is not None:
+            self.warn(f"{name!r} has the units {units!r}, but values from {np.nanmin(found):.4g} to {np.nanmax(found):.4g}, which are no {ROLES[role].meaning} in these: they seem to be in {better}. "
+                      f"Set its units: ds[{name!r}].attrs['units'] = {better!r}.")
 
     @cached_property
     def fractions(self) -> list[str]:
