@@ -115,6 +115,39 @@ class TestWeatherArchives(unittest.TestCase):
         self.check_heights(grid, np.array([-500.0, -50, -5])[:, None, None])
         self.assertEqual(int(np.sum(grid.point_data.get("vtkGhostType", 0))), 0)
 
+    def test_humidity_on_fewer_levels(self):
+        """It is used at the levels that both axes have; its own column and its own picture are on its levels."""
+        data = on_pressures({"units": "hPa"}, t="T", gh="Z3", u="U", v="V")
+        several = xr.DataArray(np.array([0.01, 0.004])[:, None, None] * np.ones(EAST.shape), dims=("lev2", "lat", "lon"), attrs={"units": "kg/kg"})
+        data = data.assign(SHUM=several).assign_coords(lev2=("lev2", [850.0, 700.0], {"units": "hPa"}))
+        grid = data.nephoscope.globe(derive=("relative_humidity", "water_vapour"))
+        vapour = np.asarray(grid["water_vapour"]).reshape(3, -1)
+        density = 85000 / (GAS * KELVIN * (1 + (1 / 0.622 - 1) * 0.01))
+        np.testing.assert_allclose(vapour[1], 0.01 * density, rtol=1e-4)
+        self.assertTrue(np.isnan(vapour[[0, 2]]).all())
+        self.assertNotIn("SHUM on lev", grid.point_data)
+        np.testing.assert_allclose(data.nephoscope.column("SHUM")["column"], 0.007 * 15000 / GRAVITY, rtol=1e-5)
+        self.assertGreater(data.nephoscope.column("water_vapour")["column"].min(), 0)
+        told = data.nephoscope.describe()
+        self.assertIn("note: 'SHUM' is on 'lev2', and most variables are on 'lev': it is used at the 1 levels that are on both", told)
+        for name in ("SHUM", "specific_humidity"):
+            self.assertEqual(data.nephoscope._of_field(name, None, {}), ("SHUM", {"vertical": "lev2", "variables": ["SHUM"]}))
+        apart = data.assign_coords(lev2=("lev2", [840.0, 700.0], {"units": "hPa"}))
+        with self.assertRaisesRegex(ValueError, r"relative_humidity needs specific humidity, which was not found on 'lev': 'SHUM' is on 'lev2'. Interpolate it first, ds.assign\(SHUM=ds\['SHUM'\].interp\(lev2=ds\['lev'\]\)\)"):
+            apart.nephoscope.globe(derive="relative_humidity")
+        mended = apart.assign(SHUM=apart["SHUM"].interp(lev2=apart["lev"]))
+        self.assertIn("relative_humidity", mended.nephoscope.globe(derive="relative_humidity").point_data)
+        flat = data.assign(rain=(("lat", "lon"), np.ones(EAST.shape), {"units": "kg/kg"}))
+        with self.assertRaisesRegex(ValueError, "column: 'rain' is on 'lat', 'lon', and has no integral over the levels. These have: 'T', 'Z3', 'U', 'V'"):
+            flat.nephoscope.column("rain")
+
+    def test_levels_of_a_model_without_heights(self):
+        """As LFRic writes them: what the message proposes can be done."""
+        data = xr.Dataset({"theta": levels(300.0, 3, units="K")}, PLACES).rename(lev="half_levels").assign_coords(half_levels=[0.0, 1, 2])
+        with self.assertRaisesRegex(ValueError, r"heights of the levels 'half_levels' .* Or draw one level: ds.isel\(half_levels=0\)"):
+            data.nephoscope.globe()
+        self.assertEqual(data.isel(half_levels=0).nephoscope.globe().dimensions[2], 1)
+
     def test_a_variable_on_other_levels(self):
         """Cloud water on fewer pressure levels than the temperature is drawn on its own."""
         data = on_pressures({"units": "hPa"})

@@ -106,7 +106,7 @@ class Hybrid(unittest.TestCase):
         levels = isothermal(LON, LAT, pressures=range(4)).rename(plev="model_level")[["ta"]]
         with self.assertRaisesRegex(ValueError, r"heights of the levels 'model_level' .*model levels, such as ECMWF's, .*coefficients a and b, .*lnsp as GRIB, and open that file\."):
             levels.assign_coords(model_level=np.arange(74.0, 78)).nephoscope.globe()
-        with self.assertRaisesRegex(ValueError, r"globe\(pressure='...'\)\.$"):
+        with self.assertRaisesRegex(ValueError, r"globe\(pressure='...'\)\. Or draw one level: ds.isel\(model_level=0\)\.$"):
             levels.assign_coords(model_level=np.arange(4) + 0.3).nephoscope.globe()
 
     def test_hybrid_levels_of_grib(self):

@@ -76,6 +76,7 @@ class WeatherAccessor:
         from .naming import named
         from .vertical import axis_of
         reading = self._reading(time, options)
+        name = reading.elsewhere.get(name, name)
         if "vertical" not in options and (own := axis_of(reading, name)):  # another than most variables have
             options = {**options, "vertical": own}
             reading = self._reading(time, options)
@@ -215,8 +216,11 @@ class WeatherAccessor:
             return self._flat_column(quantity, time, options)
         from .integrals import column_of
         from .placing import place_sheet
+        from .vertical import axis_of
         roles, rest = _options(options)
         reading, air = self._understood(time, vertical, roles)
+        if vertical is None and (own := axis_of(reading, quantity)):  # another than most variables have
+            reading, air = self._understood(time, own, roles)
         return place_sheet(reading, {"column": column_of(quantity, reading, air)}, "kg m-2", rest)
 
     def terrain(self, *, time: int | str | np.datetime64 | None = None, vertical: str | None = None, **options: Any) -> pyvista.StructuredGrid:

@@ -157,7 +157,7 @@ class Air:
         vertical = self.reading.vertical
         raise VerticalError(f"The heights of the levels {vertical.dim!r} ({vertical.kind}) were not found: there is no height, geopotential, pressure or formula_terms on them. "
                             f"Variables on them: {listed([name for name, _ in self.reading.field_variables()])}. Name one: globe(altitude='...'), globe(geopotential='...') or "
-                            "globe(pressure='...')." + self._of_model_levels() + "".join(f" Left out: {problem}" for problem in self.reading.unusable.values()))
+                            f"globe(pressure='...'). Or draw one level: ds.isel({vertical.dim}=0)." + self._of_model_levels() + "".join(f" Left out: {problem}" for problem in self.reading.unusable.values()))
 
     def _of_model_levels(self) -> str:
         """What the numbers of levels of a model need, as in NetCDF files of ECMWF."""

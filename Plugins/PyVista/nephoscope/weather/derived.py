@@ -12,7 +12,7 @@ from .circulation import vorticity_of
 from .columns import density
 from .humidity import relative_from_specific
 from .quantities import WATER, no_water, wanted
-from .reading import Reading
+from .reading import HUMIDITY, Reading
 from .units import UnitsError
 from .winds import winds
 
@@ -33,10 +33,22 @@ def _quantity(name: str, reading: Reading, air: Air) -> np.ndarray:
         raise UnitsError(f"{problem} Left out: {' '.join(reading.unusable.values())}") from problem
 
 
-def _need(value, what: str, name: str):
+def _need(air: Air, what: str, name: str, role: str = "") -> np.ndarray:
+    """The property `what` of the air, which needs a variable with the `role`, by default of the same name."""
+    value, role = getattr(air, what), role or what
     if value is None:
-        raise ValueError(f"{name} needs {what}, which was not found. Name the variable: globe({what.replace(' ', '_')}='...'), as describe() lists them.")
+        raise ValueError(f"{name} needs {role.replace('_', ' ')}, which was not found{_elsewhere(air.reading, role)} Name the variable: globe({role}='...'), as describe() lists them.")
     return value
+
+
+def _elsewhere(reading: Reading, role: str) -> str:
+    """On which other axis the variable is."""
+    roles = HUMIDITY if role in HUMIDITY else ("temperature", "potential_temperature") if role == "temperature" else ()
+    name = next((reading.elsewhere[one] for one in roles if one in reading.elsewhere), None)
+    if name is None:
+        return "."
+    dim, own = reading.axis_of_variable(name), reading.vertical.dim
+    return f" on {own!r}: {name!r} is on {dim!r}. Interpolate it first, ds.assign({name}=ds[{name!r}].interp({dim}=ds[{own!r}])), or use its levels, globe(vertical={dim!r})."
 
 
 def relative_humidity(reading: Reading, air: Air) -> np.ndarray:
@@ -44,26 +56,26 @@ def relative_humidity(reading: Reading, air: Air) -> np.ndarray:
     reading.refuse_unusable("relative_humidity")
     if reading.has("relative_humidity"):
         return reading.role("relative_humidity")
-    specific = _need(air.specific_humidity, "specific humidity", "relative_humidity")
-    return relative_from_specific(specific, _need(air.temperature, "temperature", "relative_humidity"), _need(air.pressure, "pressure", "relative_humidity"))
+    specific = _need(air, "specific_humidity", "relative_humidity")
+    return relative_from_specific(specific, _need(air, "temperature", "relative_humidity"), _need(air, "pressure", "relative_humidity"))
 
 
 def potential_temperature(reading: Reading, air: Air) -> np.ndarray:
     """K, to 1000 hPa."""
     name = "potential_temperature"
-    return quantities.potential_temperature(_need(air.temperature, "temperature", name), _need(air.pressure, "pressure", name))
+    return quantities.potential_temperature(_need(air, "temperature", name), _need(air, "pressure", name))
 
 
 def temperature(reading: Reading, air: Air) -> np.ndarray:
     """K; that of the dataset or, if it has none, from the potential temperature and the pressure."""
-    return _need(air.temperature, "temperature", "temperature")
+    return _need(air, "temperature", "temperature")
 
 
 def equivalent_potential_temperature(reading: Reading, air: Air) -> np.ndarray:
     """K (Bolton 1980, equations 22 and 43)."""
     name = "equivalent_potential_temperature"
-    t, p = _need(air.temperature, "temperature", name), _need(air.pressure, "pressure", name)
-    specific = np.maximum(_need(air.specific_humidity, "specific humidity", name), 1e-9)
+    t, p = _need(air, "temperature", name), _need(air, "pressure", name)
+    specific = np.maximum(_need(air, "specific_humidity", name), 1e-9)
     ratio = 1000 * specific / (1 - specific)  # g/kg
     humidity = np.clip(relative_from_specific(specific, t, p), 1e-6, None)
     condensation = 1 / (1 / (t - 55) - np.log(humidity) / 2840) + 55
@@ -102,7 +114,7 @@ def cloud_content(reading: Reading, air: Air) -> np.ndarray:
 def water_fraction(name: str, reading: Reading, air: Air) -> np.ndarray:
     """kg/kg, of the cloud content or the water vapour."""
     if name == "water_vapour":
-        return _need(air.specific_humidity, "specific humidity", "water_vapour")
+        return _need(air, "specific_humidity", "water_vapour")
     reading.refuse_unusable(*WATER)
     there = [role for role in WATER if reading.has(role)]
     if not there:
@@ -113,7 +125,7 @@ def water_fraction(name: str, reading: Reading, air: Air) -> np.ndarray:
 
 def density_of(air: Air, name: str) -> np.ndarray:
     """kg/m3 of the air, for the quantity `name`."""
-    return density(_need(air.pressure, "pressure", name), _need(air.virtual_temperature, "temperature", name))
+    return density(_need(air, "pressure", name), _need(air, "virtual_temperature", name, "temperature"))
 
 
 def cloud_fraction(reading: Reading, air: Air) -> np.ndarray:

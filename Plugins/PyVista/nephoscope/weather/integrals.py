@@ -47,7 +47,7 @@ def _fraction(name: str, reading: Reading, air: Air) -> np.ndarray:
         return water_fraction(name, reading, air)
     variables = [known for known, _ in reading.field_variables()]
     if name not in variables:
-        raise no_column(name, "levels", variables)
+        raise no_column(name, "levels", variables, [str(dim) for dim in reading.dataset[name].dims] if name in reading.dataset.variables else None)
     return converted(reading.values(name).astype(float), reading.dataset[name].attrs.get("units"), "mass fraction", name)[0]
 
 

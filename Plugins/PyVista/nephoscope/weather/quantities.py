@@ -24,8 +24,10 @@ def wanted(names: str | Iterable[str], known: Iterable[str], where: str = "") ->
     return asked
 
 
-def no_column(name: str, where: str, variables: list[str]) -> ValueError:
-    """The error for a name of which there is no integral over height."""
+def no_column(name: str, where: str, variables: list[str], dims: list[str] | None = None) -> ValueError:
+    """The error for a name of which there is no integral over height. `dims`: those of the variable, if it exists."""
+    if dims is not None:
+        return ValueError(f"column: {name!r} is on {listed(dims) or 'no dimension'}, and has no integral over the {where}. These have: {listed(variables)}.")
     return ValueError(f"column: {name!r} is neither {', '.join(map(repr, PER_VOLUME))} nor a variable on the {where}: {listed(variables)}.")
 
 

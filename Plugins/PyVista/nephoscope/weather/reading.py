@@ -28,6 +28,7 @@ UNDECLARED = np.array([-9999.0, -99999.0, -999.0, -32767.0, -32768.0])  # fill v
 LEAST_PERCENT, MOST_PERCENT = 1.5, 101.0  # greatest values of cloud fractions that are percent
 PLACING = {"altitude", "thickness", "geopotential_height", "geopotential", "pressure", "pressure_thickness", "surface_pressure", "log_surface_pressure", "terrain",
            "surface_geopotential", "w"}  # roles whose units must be right in any picture; the wind along z says itself when it is left out
+HUMIDITY = ("specific_humidity", "mixing_ratio", "relative_humidity")
 KINDS = "fiubm"  # of arrays that can be fields: numbers, booleans and durations
 
 
@@ -37,6 +38,13 @@ def _numbers(values: np.ndarray) -> np.ndarray:
     if values.dtype.kind == "m":
         return np.where(np.isnat(values), np.nan, values / np.timedelta64(1, "s"))
     return values if values.dtype.kind == "f" and values.dtype.itemsize >= 4 else values.astype(np.float32)
+
+
+def _are_apart(here: np.ndarray, there: np.ndarray) -> bool:
+    """For two sorted axes."""
+    if here.size == there.size and np.allclose(here, there, 1e-5, 0):
+        return False
+    return bool(np.isclose(here[:, None], there, 1e-5, 0).any() or np.any(np.diff(np.searchsorted(here, there)) != 1))
 
 
 def refuse_empty(dataset) -> None:
@@ -52,6 +60,7 @@ class Reading:
 
     def __init__(self, dataset, *, time=None, vertical: str | None = None, names: dict | None = None) -> None:
         self.notes: list[str] = []
+        self._apart: dict[str, bool] = {}  # see _is_apart
         self._checked: set[str] = set()  # names whose units have been looked at
         self.unusable: dict[str, str] = {}  # role -> the problem with the units of its variable
         refuse_empty(dataset)
@@ -67,6 +76,8 @@ class Reading:
         self._find_grid()
         self._remove_levels_of_the_ground()
         self.roles = {role.name: found for role in FIELDS + SURFACE if (found := self._find(role))}
+        self.elsewhere = {role: name for role in HUMIDITY + ("temperature", "potential_temperature") if role not in self.roles and (name := self._on_another_axis(ROLES[role]))}
+        self._use_common_levels()
         self._air_roles = {name for role, name in self.roles.items() if not {"height", "geopotential"} & set(ROLES[role].quantities)}
 
     # Dimensions
@@ -183,6 +194,38 @@ class Reading:
         names = candidates(role, pool)
         return next((name for name in names if quantity_of(role, self.dataset[name])), names[0] if names else None)
 
+    def _on_another_axis(self, role) -> str | None:
+        """The variable with the role that has levels of its own."""
+        if self.vertical is None or role.name in self._asked:
+            return None
+        wanted = {*self.horizontal.dims}
+        pool = [(name, variable) for name, variable in self._all_numbers() if variable.ndim == len(wanted) + 1 and wanted < set(variable.dims) and not self._is_field(variable)]
+        return next(iter(candidates(role, pool)), None)
+
+    def axis_of_variable(self, name: str) -> str:
+        """The dimension of a variable that is none of the grid's."""
+        return next(str(dim) for dim in self.dataset[name].dims if dim not in self.horizontal.dims)
+
+    def _use_common_levels(self) -> None:
+        """Humidity on another axis of the same kind, as on fewer pressures, is used at the levels that both axes have; the variable itself stays as it is."""
+        for role, name in self.elsewhere.items():
+            dim = self.axis_of_variable(name)
+            other = find_vertical(self.dataset, [dim], None)
+            if role not in HUMIDITY or other is None or other.kind != self.vertical.kind or not other.kind.startswith(("pressure", "height")):
+                continue
+            here, there = self.levels(), level_values(self.dataset, other)
+            near = np.abs(here[:, None] - there).argmin(axis=1)
+            common = np.isclose(here, there[near], 1e-5, 0)
+            if not common.any():
+                continue
+            field = self.dataset[name].isel({dim: near}).drop_vars(dim, errors="ignore").rename({dim: self.vertical.dim})
+            levels = type(field)(common, dims=[self.vertical.dim])
+            made = f"{name} on {self.vertical.dim}"
+            self.dataset = self.dataset.assign({made: field.where(levels).assign_attrs(self.dataset[name].attrs)})
+            self.helpers.add(made)
+            self.roles[role] = made
+            self.note(f"{name!r} is on {dim!r}, and most variables are on {self.vertical.dim!r}: it is used at the {common.sum()} levels that are on both")
+
     def field_variables(self):
         """Variables on levels, including staggered ones."""
         return [(name, variable) for name, variable in self._all_numbers() if self._is_field(variable)]
@@ -205,7 +248,17 @@ class Reading:
         return any(self._near(dim, own) for own in missing)
 
     def _near(self, dim, own) -> bool:
-        return abs(self.dataset.sizes[dim] - self.dataset.sizes[own]) <= 1 and not (self.vertical and own == self.vertical.dim and is_other_axis(str(dim), str(own)))
+        if abs(self.dataset.sizes[dim] - self.dataset.sizes[own]) > 1:
+            return False
+        return self.vertical is None or own != self.vertical.dim or dim == own or not (is_other_axis(str(dim), str(own)) or self._is_apart(str(dim)))
+
+    def _is_apart(self, dim: str) -> bool:
+        """Whether an axis of pressures or heights is another selection of levels: neither those of the vertical axis nor between them one by one, as half levels are."""
+        if dim not in self._apart:
+            other = find_vertical(self.dataset, [dim], None) if dim in self.dataset.variables else None
+            alike = other is not None and other.kind == self.vertical.kind and other.kind.startswith(("pressure", "height"))
+            self._apart[dim] = alike and _are_apart(np.sort(self.levels()), np.sort(level_values(self.dataset, other)))
+        return self._apart[dim]
 
     def ground_variables(self):
         return [(name, variable) for name, variable in self._all_numbers() if set(variable.dims) == set(self.horizontal.dims)

@@ -14,7 +14,7 @@ from .units import UNITS, converted, knows, plain
 OCEAN = ("ocean_sigma_coordinate", "ocean_s_coordinate_g1", "ocean_s_coordinate_g2")
 HEIGHTS = ("alt", "altitudes", "alt_km", "altitude_km", "height_km", "heights", "hgt", "msl", "amsl", "asl", "agl")  # names of axes of heights besides height and altitude
 _NAMES = ("lev", "level", "levels", "plev", "pressure", "pressure_level", "model_level", "model_level_number", "bottom_top", "bottom_top_stag", "hybrid", "z", "height", "altitude",
-          "isobaric", "height_2", "nvertlevels", "nvertlevelsp1", "depth", "sigma", "ilev", "lev_2", "lv_isbl0", "level_pressure", "height_above_ground", "generalverticallayer", "s_rho", "s_w", "levels_number", *HEIGHTS)
+          "isobaric", "height_2", "nvertlevels", "nvertlevelsp1", "depth", "sigma", "ilev", "lev_2", "lv_isbl0", "level_pressure", "height_above_ground", "generalverticallayer", "s_rho", "s_w", "levels_number", "half_levels", "full_levels", "model_levels", "num_metgrid_levels", *HEIGHTS)
 _ACROSS = re.compile(r"[xyij]|[xyn][a-z]?\d*|[xy]_?\w{0,3}|n[ij]|(\w+_)?(east|west|north|south|row|col|lon|lat)\w*|range|distance|along|across|wavelength|diameter|radius|size|bins?")
 DEPTHS = re.compile(r"depths?(_?[tuvw])?(_\d+)?|dep|depth_(below_sea|of_level)|s[tw](_edges)?_ocean|olevel|nav_lev|gdep[tw](_\w+)?|elevation_below_sea_level")  # names of axes that point downwards
 _SEA = re.compile(r"sea_water|^ocean_|sea_ice")  # standard names of fields of an ocean
