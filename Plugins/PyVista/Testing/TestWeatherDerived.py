@@ -29,12 +29,20 @@ class Derived(unittest.TestCase):
     def test_temperatures(self):
         dataset = moist(hus=(0.012, "specific_humidity"))
         np.testing.assert_allclose(derived(dataset, "potential_temperature")[:, 5, 5], 300 * (1e5 / dataset.plev.values) ** 0.2857, rtol=1e-4)
-        # Bolton 1980 from his own steps at 850 hPa: r = 12.146 g/kg, e = 16.28 hPa, TL by his equation 21.
+        # Bolton 1980, equations 24 and 39, from his own steps at 850 hPa: r = 12.146 g/kg, e = 16.28 hPa, TL by his equation 21.
         ratio = 12 / 0.988
         vapour = 850 * ratio / (622 + ratio)
         condensation = 2840 / (3.5 * np.log(300) - np.log(vapour) - 4.805) + 55
-        expected = 300 * (1000 / 850) ** (0.2854 * (1 - 0.28e-3 * ratio)) * np.exp((3.376 / condensation - 0.00254) * ratio * (1 + 0.81e-3 * ratio))
+        expected = 300 * (1000 / (850 - vapour)) ** 0.2857 * (300 / condensation) ** (0.28e-3 * ratio) * np.exp((3.036 / condensation - 0.00178) * ratio * (1 + 0.448e-3 * ratio))
         np.testing.assert_allclose(derived(dataset, "equivalent_potential_temperature")[1, 5, 5], expected, rtol=1e-3)
+
+    def test_equivalent_potential_temperature_of_dry_air(self):
+        """It meets the potential temperature as the vapour vanishes, and is never below it."""
+        for humidity in (0.0, 1e-8, 1e-6, 1e-5, 1e-4, 0.01):
+            dataset = moist(hus=(humidity, "specific_humidity"))
+            above = derived(dataset, "equivalent_potential_temperature") - derived(dataset, "potential_temperature")
+            self.assertGreaterEqual(above.min(), -1e-4, humidity)
+            self.assertLess(above.max(), 1e-4 + 5e3 * humidity)
 
     def test_temperature_of_a_potential_temperature(self):
         """As that of WRF, on pressure levels and with a pressure array; also for light in clouds."""

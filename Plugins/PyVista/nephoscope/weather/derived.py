@@ -10,7 +10,7 @@ from . import quantities
 from .air import Air
 from .circulation import vorticity_of
 from .columns import density
-from .humidity import relative_from_specific
+from .humidity import relative_from_specific, vapour_pressure
 from .quantities import WATER, no_water, wanted
 from .reading import HUMIDITY, Reading
 from .units import UnitsError
@@ -72,14 +72,15 @@ def temperature(reading: Reading, air: Air) -> np.ndarray:
 
 
 def equivalent_potential_temperature(reading: Reading, air: Air) -> np.ndarray:
-    """K (Bolton 1980, equations 22 and 43)."""
+    """K (Bolton 1980, equations 22, 24 and 39). Without vapour it is the potential temperature."""
     name = "equivalent_potential_temperature"
     t, p = _need(air, "temperature", name), _need(air, "pressure", name)
     specific = np.maximum(_need(air, "specific_humidity", name), 1e-9)
-    ratio = 1000 * specific / (1 - specific)  # g/kg
+    ratio = specific / (1 - specific)
     humidity = np.clip(relative_from_specific(specific, t, p), 1e-6, None)
     condensation = 1 / (1 / (t - 55) - np.log(humidity) / 2840) + 55
-    return t * (1e5 / p) ** (0.2854 * (1 - 0.28e-3 * ratio)) * np.exp((3.376 / condensation - 0.00254) * ratio * (1 + 0.81e-3 * ratio))
+    dry = quantities.potential_temperature(t, p - vapour_pressure(specific, p))
+    return dry * (t / condensation) ** (0.28 * ratio) * np.exp((3036 / condensation - 1.78) * ratio * (1 + 0.448 * ratio))
 
 
 def wind_speed(reading: Reading, air: Air) -> np.ndarray:

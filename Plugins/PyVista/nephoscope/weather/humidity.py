@@ -20,7 +20,11 @@ def specific_from_relative(relative: np.ndarray, temperature: np.ndarray, pressu
     return ratio / (1 + ratio)
 
 
-def relative_from_specific(specific: np.ndarray, temperature: np.ndarray, pressure: np.ndarray) -> np.ndarray:
+def vapour_pressure(specific: np.ndarray, pressure: np.ndarray) -> np.ndarray:
+    """Partial pressure of water vapour, in the unit of `pressure`."""
     ratio = specific / (1 - specific)
-    vapour = pressure * ratio / (VAPOUR_RATIO + ratio)
-    return vapour / saturation_pressure(temperature)
+    return pressure * ratio / (VAPOUR_RATIO + ratio)
+
+
+def relative_from_specific(specific: np.ndarray, temperature: np.ndarray, pressure: np.ndarray) -> np.ndarray:
+    return vapour_pressure(specific, pressure) / saturation_pressure(temperature)
