@@ -108,6 +108,14 @@ class Centres(unittest.TestCase):
         other["geop"].attrs["units"] = "kg"
         self.assertNotIn("'geop'", written(other))
 
+    def test_levels_of_metgrid(self):
+        """The input of WRF has numbered levels, heights GHT in m and pressures PRES without units."""
+        model = on_levels("num_metgrid_levels", [0, 1, 2], {"PRES": ([1e5, 9e4, 7e4], {"units": "", "description": ""}), "GHT": ([100.0, 900, 3000], {"units": "m", "description": "Height"}), "TT": (280.0, {"units": "K", "description": "Temperature"})})
+        for data in (model, model.drop_vars("num_metgrid_levels"), model.rename(num_metgrid_levels="levels_of_mine").drop_vars("levels_of_mine")):
+            np.testing.assert_allclose(heights(data), 6371229.0 * np.array([100, 900, 3000.0]) / (6371229.0 - np.array([100, 900, 3000.0])), rtol=1e-5)
+            self.assertIn("pressure: 'PRES'", written(data))
+            self.assertIn("temperature: 'TT' (K)", written(data))
+
     def test_order_of_summed_layers(self):
         """Given by heights or by the axis; a guess is told where the layers differ little, with the line of the user."""
         dp = {"delp": ([3000.0, 2000, 1700], {"units": "Pa"}), "geop": ([900.0, 600, 400], {"units": "gpm", "long_name": "geopotential height"}), "x": (1.0, {"units": "1"})}

@@ -5,12 +5,14 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 import nephoscope
 import numpy as np
 import pyvista
 import xarray as xr
 from nephoscope.weather.healpix import healpix_centres
+from nephoscope.weather.prisms import offsets
 from weather_data import AXIS, REGULAR, along_rows, rotation, write_grib
 
 HALF = np.array([0.0, 1000, 3000, 9000])  # m
@@ -177,6 +179,13 @@ class Shells(unittest.TestCase):
             whole[names].rename(nCells="cells").to_netcdf(Path(folder, "mesh.nc"))
             whole.drop_vars(names).to_netcdf(Path(folder, "data.nc"))
             self.check(nephoscope.open(Path(folder, "data.nc"), mesh=Path(folder, "mesh.nc")), 642, 0.02)
+
+    def test_names_of_pyvista(self):
+        """PyVista 0.49 has cell_offsets, and warns of offset."""
+        grid = pyvista.UnstructuredGrid({pyvista.CellType.TRIANGLE: np.array([[0, 1, 2], [2, 1, 3]])}, np.eye(4, 3))
+        with mock.patch.object(pyvista.UnstructuredGrid, "cell_offsets", np.array([0, 3, 6]), create=True), mock.patch.object(pyvista.UnstructuredGrid, "offset", mock.PropertyMock(side_effect=AssertionError)):
+            np.testing.assert_array_equal(offsets(grid), [0, 3, 6])
+        np.testing.assert_array_equal(offsets(grid), [0, 3, 6])
 
     def test_uneven_terrain(self):
         """Neighbours share their corners: no gaps, the mean of what meets there."""

@@ -13,7 +13,9 @@ import numpy as np
 import pyvista
 import xarray as xr
 from nephoscope.weather import ground
+from nephoscope.weather.bars import set_title
 from nephoscope.weather.look import suited
+from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from weather_data import isothermal
 
 LON, LAT = np.arange(0, 40, 5.0), np.arange(20, 60, 5.0)
@@ -205,6 +207,14 @@ class Plots(unittest.TestCase):
                 (key, bar), = plotter.scalar_bars.items()
                 self.assertEqual((key, bar.GetTitle()), (name, text))
                 self.assertEqual(bar.GetLookupTable().GetTableRange(), (200, 300))
+
+    def test_titles_end_lines_after_words(self):
+        bar = vtkScalarBarActor()
+        bar.SetOrientationToVertical()
+        for text, lines in (("relative_humidity [1]", ["relative_", "humidity", "[1]"]), ("Convective available potential energy [J]", ["Convective", "available", "potential", "energy", "[J]"]),
+                            ("Evapotranspiration", ["Evapotranspiration"]), ("a_b_c", ["a_b_c"]), ("x" * 28, ["x" * 14] * 2), ("tas\nlowest level", ["tas", "lowest level"])):
+            set_title(bar, text)
+            self.assertEqual(bar.GetTitle().split("\n"), lines)
 
     def test_a_surface_has_the_colours_of_its_quantity(self):
         """By standard name, long name, role or units: signed quantities are symmetric about 0, clouds let the Earth through, and cmap wins."""

@@ -211,6 +211,13 @@ class Sections(unittest.TestCase):
         self.assertAlmostEqual(float(np.ptp(sheet["u"])), 0.0775, 5)  # the outermost faces are half a cell away
         self.assertEqual(sheet.n_points, LON.size * HEIGHTS.size)
 
+    def test_a_dimension_too_many(self):
+        """The message proposes one that the user has."""
+        basins = dataset().mean("lon", keep_attrs=True).expand_dims(basins=3)
+        with self.assertRaisesRegex(ValueError, r"dimensions 'basins', 'level', 'lat': .* but it has 'basins', 'lat'. .* ds.isel\(basins=0\)"):
+            basins.nephoscope.plot("place")
+        self.drawn(basins.isel(basins=0))
+
     def test_rows_of_rotated_poles(self):
         """With and without longitudes and latitudes in the file; the wind speed is the same."""
         data = dataset().drop_vars(["lon", "lat"]).rename(lat="rlat", lon="rlon").assign_coords(

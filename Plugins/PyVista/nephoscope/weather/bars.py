@@ -3,6 +3,7 @@
 """Scalar bars of first pictures: labels with as many digits as the range needs, room for them in small windows and beside other bars, and one range for fields that are compared."""
 from __future__ import annotations
 
+import re
 import textwrap
 from typing import Any, Callable
 from weakref import WeakKeyDictionary
@@ -27,6 +28,7 @@ ALIKE = 0.5  # fields with one title have one range if more than this fraction o
 RIGHT = 0.885  # left edge of an upright bar in a window that has room beside it, as a share of the width
 EDGE = 6  # pixels between text and the edge of the window
 NARROWEST = 26  # pixels of a bar with its labels' gap
+LONGEST_WORD = 20  # letters above an upright bar
 PAPER = 0.8  # opacity behind dark text
 PARTS = 0.05  # of the distance between labels: the greatest rounding of a label
 
@@ -176,6 +178,11 @@ def make_room(plotter: pyvista.BasePlotter, as_high: bool) -> None:
         plotter.reset_camera_clipping_range()
 
 
+def _short_lines(name: str) -> list[str]:
+    """Lines of 14 letters, which end after a word or an underscore; only the longest words are divided."""
+    return [line.replace("_ ", "_") for line in textwrap.wrap(name.replace("_", "_ "), 14, break_long_words=max(map(len, re.split(r"[_\s]", name))) > LONGEST_WORD)]
+
+
 def set_title(bar: vtkScalarBarActor, text: str) -> None:
     """In short lines above an upright bar, in one line above a lying one."""
     text, _, note = text.partition("\n")
@@ -185,5 +192,5 @@ def set_title(bar: vtkScalarBarActor, text: str) -> None:
         bar.SetBarRatio(0.25)
         return
     name, bracket, units = text.partition(" [")
-    bar.SetTitle("\n".join([*textwrap.wrap(name, 14), *["[" + units] * bool(bracket), *[note] * bool(note)]))
+    bar.SetTitle("\n".join([*_short_lines(name), *["[" + units] * bool(bracket), *[note] * bool(note)]))
     bar.SetVerticalTitleSeparation(10)  # pixels: the title is not on the upper label

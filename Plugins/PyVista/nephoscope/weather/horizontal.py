@@ -110,8 +110,10 @@ def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
     if len(dims) == 3 and lon is not None and lat is not None:
         return Horizontal(dims, *(np.ravel(_degrees(axis.transpose(*dims))) for axis in (lon, lat)), "cubed sphere", (str(lon.name), str(lat.name)))
     if len(dims) not in (1, 2):
-        raise GridError(f"{variable.name!r} has the dimensions {listed(variable.dims)}: besides time and levels it should have one or two dimensions, but it has "
-                        f"{listed(dims)}. " + (f"Choose one index along the other dimensions, ds.isel({dims[0]}=0), or name the levels: globe(vertical='...')." if dims else "It is a single profile, which cannot be drawn."))
+        several = [dim for dim in dims if dataset.sizes[dim] > 1] or list(dims)  # a section gets a longitude or a latitude of one entry
+        other = next((dim for dim in several if not any(dim in found.dims for found in (lon, lat) if found is not None)), dims[0] if dims else "")
+        raise GridError(f"{variable.name!r} has the dimensions {listed([dim for dim in variable.dims if dim in several or dim not in dims])}: besides time and levels it should have one or two dimensions, but it has "
+                        f"{listed(several)}. " + (f"Choose one index along the other dimensions, ds.isel({other}=0), or name the levels: globe(vertical='...')." if dims else "It is a single profile, which cannot be drawn."))
     projection = find_projection(dataset, variable)
     if lon is None and lat is None:
         _refuse_flat(dataset, variable)

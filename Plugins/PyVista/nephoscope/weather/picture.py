@@ -20,7 +20,7 @@ from .bars import BELOW, BESIDE, bars_in, finish_bars, make_room
 from .forms import VOLUME, form_of, told_form
 from .horizontal import GridError, section
 from .look import surface_look, with_share
-from .prisms import HIDDEN_CELL, HIDDEN_POINT
+from .prisms import HIDDEN_CELL, HIDDEN_POINT, offsets
 from .scales import EAST, NORTH, add_scales
 from .sea import is_sea, look_of_water
 from .shadows import shade
@@ -278,7 +278,7 @@ def _longest_diagonal(sheet: pyvista.DataSet) -> float:
         grid = points.reshape(*[size for size in sheet.dimensions[::-1] if size > 1], 3)
         sizes = np.linalg.norm(grid[1:, 1:] - grid[:-1, :-1] + 0 * (grid[1:, :-1] + grid[:-1, 1:]), axis=-1) if grid.ndim == 3 else np.zeros(1)
     else:
-        corners, starts = points[sheet.cell_connectivity], np.asarray(sheet.offset)[:-1]
+        corners, starts = points[sheet.cell_connectivity], offsets(sheet)[:-1]
         sizes = np.linalg.norm(np.maximum.reduceat(corners, starts) - np.minimum.reduceat(corners, starts), axis=1) if len(starts) else np.zeros(1)
     sizes = sizes[np.isfinite(sizes)]
     return float(sizes.max()) if sizes.size else 0.0

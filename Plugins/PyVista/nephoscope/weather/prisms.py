@@ -117,9 +117,14 @@ def columns(corners: np.ndarray, faces: np.ndarray, heights: np.ndarray, radius:
     return grid
 
 
+def offsets(grid: pyvista.UnstructuredGrid) -> np.ndarray:
+    """Where the points of each cell begin in its connectivity; PyVista 0.49 has another name for it."""
+    return np.asarray(grid.cell_offsets if hasattr(grid, "cell_offsets") else grid.offset)
+
+
 def bases(grid: pyvista.UnstructuredGrid, cells: int, points: np.ndarray) -> pyvista.UnstructuredGrid:
     """The lower polygons of the first `cells` prisms of the grid that `columns` made, with these points."""
-    starts = grid.offset[:cells + 1]
+    starts = offsets(grid)[:cells + 1]
     sizes = np.diff(starts)
     corner = np.arange(starts[-1]) - np.repeat(starts[:-1], sizes)
     below = corner < np.repeat(sizes // 2, sizes)

@@ -30,7 +30,7 @@ FIELDS = [
     _role("altitude", "height above sea level", "height", "altitude height_above_mean_sea_level geometric_height_at_full_level_center geometric_height_at_half_level_center height_above_reference_ellipsoid mid_layer_heights",
           "h HHL", "altitude z_mc height_msl z_ifc hhl zgrid z_agl_msl h z_rho"),
     _role("thickness", "thickness of the layers", "height", "", "", "delz"),
-    _role("geopotential_height", "geopotential height", "height,geopotential", "geopotential_height", "gh", "gh zg hgt geopotential_height z3 height"),
+    _role("geopotential_height", "geopotential height", "height,geopotential", "geopotential_height", "gh", "gh zg hgt ght geopotential_height z3 height"),
     _role("geopotential", "geopotential", "geopotential", "geopotential", "z", "z geopotential phi fi geopot"),
     _role("temperature", "temperature", "temperature", "air_temperature", "t", "t ta tk tmp temp temperature air air_temperature tc tabs st"),
     _role("potential_temperature", "potential temperature", "temperature", "air_potential_temperature", "pt", "theta th pt pot potential_temperature air_potential_temperature"),
