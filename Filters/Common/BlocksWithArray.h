@@ -16,7 +16,7 @@ namespace nephoscope
 class VTKNEPHOSCOPEFILTERSCOMMON_EXPORT BlocksWithArray
 {
 public:
-  // `has` tells whether a block has the array. The filter, whose part this is, is observed. `begin`, if given, is called before its first block, on all ranks.
+  // `has` tells whether a block has the array. This observes the filter, whose member it is. `begin`, if given, is called before the first block, on all ranks.
   BlocksWithArray(vtkAlgorithm* filter, std::function<bool(vtkDataSet*)> has,
     std::function<void()> begin = nullptr);
 

@@ -16,7 +16,7 @@ namespace nephoscope
 // For the input of a filter that is about to execute; the first value is above the last if there is none. All ranks call it that compute pieces.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter);
 
-// The ranks that compute pieces for a filter that is about to execute, one each; null where this process computes by itself and must not wait for others.
+// The ranks that compute one piece each for a filter that is about to execute. Null if this process computes alone and must not wait for others.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkMultiProcessController* ranksOfPieces(vtkAlgorithm* filter);
 
 // Whether it is true of any of the ranks that compute pieces, all of which call it.

@@ -158,7 +158,7 @@ public:
   /**
    * Time between two layers, in seconds; 0 (default): 1/64 of the duration, and no longer than the flow at the polygon takes for
    * 1/32 of the diagonal of the bounds; unsteady: 1/64 of the time from the start to the last time step. Longer if
-   * MaximumNumberOfTetrahedra requires it, or if the duration would take more than a million steps, with a warning. The cost is inversely proportional to it.
+   * MaximumNumberOfTetrahedra requires it, or if the duration would take more than a million steps; more than two million give a warning. The cost is inversely proportional to it.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);

@@ -124,7 +124,7 @@ double vtkFlowVolume::UsualTimeStep(double duration) const
   return std::min(duration / 64.0, this->State->Crossing.Seconds / 32.0);
 }
 
-// So much that layers are seen.
+// So many that the longer steps make layers of smoke visible.
 bool vtkFlowVolume::HasTooManySteps(double duration) const
 {
   constexpr double most = 2.0;

@@ -18,7 +18,7 @@ namespace nephoscope
 struct ColumnMatrix
 {
   int Size[3] = { 0, 0, 0 };
-  std::array<std::vector<float>, 3> Next; ///< the last ones along an axis: 0, or to the first
+  std::array<std::vector<float>, 3> Next; ///< of last points: 0, or with the first
   std::vector<float> Sum;
 
   std::size_t Row(int j, int k) const

@@ -126,7 +126,7 @@ void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) cons
   }
 }
 
-// The light of one direction in a plane. Outside an open grid the medium goes on as it is at the boundary; light across a seam is that of the last run.
+// The light of one direction in a plane. Outside an open grid the medium continues as at the boundary. Light across a seam is that of the last run.
 void DirectionSweep::SweepPlane(Cone& cone, std::size_t d, int level, RowSweep& sweep)
 {
   const LightGrid& g = this->Grid;
@@ -145,7 +145,7 @@ void DirectionSweep::SweepPlane(Cone& cone, std::size_t d, int level, RowSweep& 
   }
   else
   {
-    const int across = alongY > 0 ? rows - 2 : 1; // which is met across the seam
+    const int across = alongY > 0 ? rows - 2 : 1; // the row upstream, across the seam
     float *seam = &this->Seams[1][cone.First + d][std::size_t(level) * width],
           *beside = radiance + std::ptrdiff_t(across) * width;
     std::copy_n(seam, width, beside);
@@ -169,7 +169,7 @@ void DirectionSweep::SweepPlane(Cone& cone, std::size_t d, int level, RowSweep& 
   }
 }
 
-// A row of it, whose row upstream is `beside` rows away.
+// The light of one direction in a row. The row upstream is `beside` rows away.
 void DirectionSweep::SweepRow(
   Cone& cone, std::size_t d, int level, int j, int beside, RowSweep& sweep)
 {
@@ -185,7 +185,7 @@ void DirectionSweep::SweepRow(
   sweep.Before = { &g.Extinction[p + z], &cone.Emission[1][d][row], &cone.Radiance[1][d][row] };
   sweep.Diagonal = sweep.Before.Moved(y);
   sweep.Rates[2] = &this->Rates[2][p + std::min<std::ptrdiff_t>(z, 0)];
-  const int across = alongX > 0 ? width - 2 : 1; // which is met across the seam
+  const int across = alongX > 0 ? width - 2 : 1; // the point upstream, across the seam
   float* seam = g.Closed[0] ? &this->Seams[0][cone.First + d][p / width] : nullptr;
   if (seam)
   {

@@ -224,7 +224,7 @@ bool GridRays::BeginBeside(const Index& at, Path& path) const
   return false;
 }
 
-// Across a seam, to where the grid is stored.
+// Moves the ray across a seam, to where the grid is stored.
 void GridRays::Follow(Path& path) const
 {
   const Index turns = path.Walk.TakeTurns();
@@ -242,7 +242,7 @@ bool GridRays::Begin(std::int32_t point, Path& path) const
   const SunPoint& here = this->PointAt(at);
   path.End = this->Clouds.HeightAt(here.X, here.Y);
   path.Left = this->Grid.NumberOfCells();
-  if (this->IsRepeated) // a low sun: not around for ever
+  if (this->IsRepeated) // rays to a low sun must end
   {
     path.End = std::numeric_limits<double>::max();
     path.Left = std::int64_t(100) * (this->Grid.Size[0] + this->Grid.Size[1] + this->Grid.Size[2]);

@@ -59,8 +59,9 @@ public:
   /** Its vertex beyond the face. */
   std::int32_t Vertex() const { return this->Odd + this->Offset; }
 
-  /** Whether the way went across a seam after the last TakeTurns, which says how often along each axis: 1 from the first cell to the last. */
+  /** Whether the walk has crossed a seam since the last TakeTurns. */
   bool HasTurned() const { return this->HasTurns; }
+  /** How often it has crossed the seam along each axis: 1 from the first cell to the last, -1 back. */
   Index TakeTurns()
   {
     const Index turns = this->Turns;

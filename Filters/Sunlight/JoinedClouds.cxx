@@ -28,7 +28,7 @@ namespace
 {
 constexpr int opticalFields = 4; // extinction, albedo, asymmetry, weight
 
-// Means on points of the values of the cells that are drawn.
+// At each point, the mean of the cells around it that are drawn.
 class CellMeans
 {
 public:
@@ -93,7 +93,7 @@ bool isSingle(vtkDataSet* data)
     (grid && grid->GetXCoordinates()->GetDataType() == VTK_FLOAT);
 }
 
-// Points, with their optics, and cells: for each its type, its division (ChessboardDivision.h), the number of the rest, and its points or its faces.
+// Points with their optics, and cells. A cell is its type, its division (ChessboardDivision.h), a count, and as many numbers: its points, or the stream of its faces.
 struct Pieces
 {
   vtkNew<vtkDoubleArray> Places;
@@ -195,7 +195,7 @@ std::vector<Place> placesOf(const Pieces& pieces)
   return places;
 }
 
-// Numbers from 0 on of the points that stand for coincident ones.
+// The number of each place in `points`, where coincident places are one point.
 std::vector<std::int32_t> numbersOf(const std::vector<Place>& places, vtkPoints* points)
 {
   std::vector<std::int32_t> numbers = mergedPoints(places);
@@ -314,7 +314,8 @@ void JoinedClouds::Join(vtkMultiProcessController* ranks)
   }
   if (!this->Parts.empty())
   {
-    this->Mesh->GetFieldData()->ShallowCopy(this->Parts.front().Data->GetFieldData()); // of planets
+    // Field data describe the planet.
+    this->Mesh->GetFieldData()->ShallowCopy(this->Parts.front().Data->GetFieldData());
   }
 }
 }

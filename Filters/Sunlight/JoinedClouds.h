@@ -21,7 +21,7 @@ class vtkMultiProcessController;
 
 namespace nephoscope
 {
-/** The array of an optical property, and the number that takes its place where there is none. */
+/** The array of an optical property. `Otherwise` takes its place if there is none. */
 struct OpticalArray
 {
   std::string Name;
@@ -32,7 +32,7 @@ using OpticalArrays = std::array<OpticalArray, 3>; ///< extinction, albedo, asym
 /** One of the datasets. */
 struct CloudPart
 {
-  /** Reads the optics of the data, whose extinction is on points or cells. */
+  /** Reads the optics of the data. Their extinction may be on points or cells. */
   CloudPart(vtkDataSet* data, const OpticalArrays& arrays);
 
   vtkWeakPointer<vtkDataSet> Data;
@@ -48,7 +48,7 @@ struct JoinedClouds
   vtkSmartPointer<vtkUnstructuredGrid> Mesh; ///< of all parts; coincident points are one
   OpticalFields Optics;                      ///< on its points, means of coincident ones
 
-  /** Makes the mesh. `ranks`, if not null: all of them call it, and get the mesh of all. Ghost cells that another part or rank has are left out. */
+  /** Makes the mesh, without ghost cells that another part or rank has. If `ranks` is not null, all of them must call it, and each gets the mesh of all. */
   void Join(vtkMultiProcessController* ranks);
 };
 }

@@ -47,7 +47,7 @@ struct LightGrid
   float ShadowAt(std::size_t p) const { return this->Shadow.empty() ? 1.0f : this->Shadow[p]; }
   float BeamAt(std::size_t p) const { return this->ShadowAt(p) * this->Transmittance(p); }
   bool IsClosed(int axis) const { return axis < 2 && this->Closed[axis]; }
-  /** Points along an axis that are not another's. */
+  /** Points along an axis, without repeats of the first. */
   int Width(int axis) const { return this->Size[axis] - (this->IsClosed(axis) ? 1 : 0); }
   /** The index after this one, or -1. */
   int After(int index, int axis) const

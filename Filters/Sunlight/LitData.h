@@ -30,7 +30,7 @@ std::vector<float> valuesOf(
   vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
 
 std::vector<Place> placesOf(vtkDataSet* data);
-/** Ways to the sun; the fields are those that depths are integrals of. A grid that repeats is one of RepeatedGrid.h. */
+/** Ways to the sun; the fields are those that depths are integrals of. `repeats`: the data are the grid of a RepeatedGrid. */
 std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
   const std::vector<Fields>& fields, const Place& sun, bool repeats = false);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A structured grid whose clouds repeat themselves beyond its sides, as in models with periodic boundaries: one copy of it, closed by the first points of the
- * next one. Where the values on opposite sides are equal, the sides are the same points; otherwise the next copy begins one step further.
+ * A structured grid whose clouds repeat beyond its sides, as in models with periodic boundaries: one copy of it, closed by the first points of the
+ * next one. If the values on opposite sides are equal, these sides are the same points. Otherwise the next copy begins one grid spacing beyond the last points.
  */
 #ifndef nephoscope_RepeatedGrid_h
 #define nephoscope_RepeatedGrid_h
@@ -24,15 +24,15 @@ namespace nephoscope
 class RepeatedGrid
 {
 public:
-  /** `values` tell whether the sides are the same points; with `sidesMeet` they are. Its third index counts upwards. */
+  /** Opposite sides are the same points if `sidesMeet`, or if `values` are equal on them. The third index of the new grid counts upwards. */
   RepeatedGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
     const std::vector<float>& values, bool sidesMeet);
 
-  /** None for other data than structured grids of three dimensions, and on a globe. */
+  /** False if the data are not a structured grid of three dimensions, or are on a globe. */
   bool Exists() const { return this->Grid != nullptr; }
   vtkStructuredGrid* GetGrid() const { return this->Grid; }
 
-  /** Values at the points of this grid. Those of sides that are the same points are averaged. */
+  /** Values at the points of this grid. Values of sides that are the same points are averaged. */
   std::vector<float> Of(std::vector<float> values) const;
 
   /** The number in this grid of a point of the data. */
@@ -50,7 +50,7 @@ private:
   UprightOrder Order;
   Index Sizes{ { 0, 0, 0 } };                   // of the data
   std::array<bool, 2> Meet{ { false, false } }; // sides along an axis are the same points
-  std::array<int, 2> Copies{ { 1, 1 } };        // an even number of cells: tetrahedra fit
+  std::array<int, 2> Copies{ { 1, 1 } };        // to an even number of cells: tetrahedra fit
   vtkSmartPointer<vtkStructuredGrid> Grid;
   std::vector<std::size_t> Sources,
     Numbers; // of points of this grid in the ordered data, and the other way round

@@ -66,7 +66,7 @@ public:
     return turn;
   }
 
-  /** Goes on elsewhere, where a grid that repeats itself is stored. */
+  /** Moves the ray to where a grid that repeats is stored. */
   void Move(double x, double y, double z)
   {
     this->X += x;

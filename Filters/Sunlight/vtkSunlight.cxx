@@ -342,7 +342,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
   addDirection("Up", work.Planet.Up);
 }
 
-// All that light depends on but the data and the eye.
+// All that the light depends on, except the data and the eye.
 std::vector<double> vtkSunlight::State() const
 {
   const auto number = [](const std::string& text) {
@@ -370,7 +370,7 @@ bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
   return this->ComputeLight(data, work);
 }
 
-// The optics are known.
+// Needs the optics in `work`.
 bool vtkSunlight::ComputeLight(vtkDataSet* data, Work& work)
 {
   work.Planet = this->PlanetOf(data);
@@ -435,7 +435,7 @@ vtkTypeBool vtkSunlight::ProcessRequest(
   return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
-// Smoke gets its own.
+// Smoke gets an extinction of its own.
 void vtkSunlight::ChooseExtinction(vtkDataSet* data)
 {
   const bool isSmoke = this->ExtinctionArrayName == "Extinction" &&

@@ -28,15 +28,15 @@
  *
  * Smoke, as vtkFlowVolume and vtkSmokePuffs write it, gets extinction, albedo and asymmetry of its own (SmokeOptics.h), unless another array is named.
  *
- * The second input, which is optional, is clouds that have their light, in blocks or not: in their shadow there is less sunlight. Light that
+ * The second input is optional: clouds that have their light, in blocks or not. In their shadow there is less sunlight. Light that
  * they scatter does not reach the data. With clouds, data without an extinction and without three-dimensional cells, such as the ground, get the light that reaches
  * them: Sunlight is then the irradiance by sun, sky and the diffuse light of the clouds.
  *
  * The third input, which is optional, is a vtkSunSource: its sun takes the place of SunDirection and DateTime.
  *
  * On several ranks, each computes the light of a whole image, rectilinear or structured grid and keeps its piece, so that clouds of all ranks cast their
- * shadows. The clouds of several blocks, and other data of several ranks, are lit as one mesh, which each rank keeps whole: blocks keep their structure and get the light
- * of their points. A single block with clouds is lit as it is alone.
+ * shadows. The clouds of several blocks, and other data of several ranks, are lit as one mesh, which each rank keeps whole. Blocks keep their structure and get the light
+ * at their points. A single block with clouds has the light that it has alone.
  *
  * Field data: SunDirection and Up, three components each, towards the sun and upwards from flat ground. Data without a medium below clouds take the Up of these.
  */
@@ -142,8 +142,8 @@ public:
 
   ///@{
   /**
-   * The clouds of an image, a rectilinear or a structured grid repeat themselves beyond its sides, as in models with periodic boundaries: they cast shadows into it, and diffuse
-   * light comes from them. If the extinction is equal on opposite sides, these are the same points; otherwise the next copy begins one step of the grid further. Off by
+   * The clouds of an image, a rectilinear or a structured grid repeat beyond its sides, as in models with periodic boundaries: they cast shadows into the grid and scatter light
+   * into it. If the extinction is equal on opposite sides, these sides count as the same points. Otherwise the next copy begins one grid spacing beyond the last points. Off by
    * default: no shadows come from beyond the sides, which are mirrors for diffuse light. Not for globes and unstructured data.
    */
   vtkSetMacro(PeriodicSides, bool);
@@ -303,7 +303,7 @@ private:
   double LastChange = 0;
   bool ToldOfPieces = false, ToldOfPlace = false;
   bool OnSurface = false;                              // without a medium, below clouds
-  bool OnCells = false;                                // the extinction
+  bool OnCells = false;                                // the extinction is on cells
   vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for isEmptyInput and ReportOnce
   vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array

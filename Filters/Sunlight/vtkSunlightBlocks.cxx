@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks, and unstructured data of several ranks, in the light of all: it is computed on one mesh of their clouds, and each gets that of its points.
+// Blocks, and unstructured data of several ranks, in the light of all. It is computed on one mesh of their clouds; each gets the light at its points.
 #include "vtkSunlight.h"
 
 #include "DataSets.h"
@@ -22,7 +22,7 @@
 
 namespace
 {
-// Another array has an error to itself.
+// An array of several components is an error of its own block.
 bool isScalar(vtkDataSet* data, const std::string& name)
 {
   vtkDataArray* onPoints = data->GetPointData()->GetArray(name.c_str());
@@ -31,7 +31,7 @@ bool isScalar(vtkDataSet* data, const std::string& name)
 }
 }
 
-// Before the first block, on all ranks. Where there are not several clouds, there is nothing to join.
+// Called before the first block, on all ranks. Fewer than two datasets with clouds need not be joined.
 void vtkSunlight::JoinClouds()
 {
   this->JoinShadingClouds();
@@ -39,7 +39,8 @@ void vtkSunlight::JoinClouds()
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
   vtkMultiProcessController* ranks = nephoscope::ranksOfPieces(this);
   const bool isComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
-  if (!input || (!isComposite && (!ranks || nephoscope::IsStructured(input)))) // a grid is whole
+  // A grid is whole on each rank.
+  if (!input || (!isComposite && (!ranks || nephoscope::IsStructured(input))))
   {
     this->Joined.reset();
     return;
@@ -76,7 +77,7 @@ void vtkSunlight::JoinClouds()
   this->Joined->Told = false;
 }
 
-// The second input: its blocks, or the parts of all ranks, as one mesh.
+// Makes one mesh of the second input, of its blocks or of the parts of all ranks.
 void vtkSunlight::JoinShadingClouds()
 {
   vtkDataObject* input =
@@ -176,7 +177,7 @@ bool vtkSunlight::AddJointLight(vtkDataSet* data, nephoscope::CloudPart& part)
   }
   Work own = this->Joined->Light->At(part.Numbers);
   own.Places = nephoscope::placesOf(data);
-  if (part.Weights.empty()) // values of its own, where blocks meet too
+  if (part.Weights.empty()) // a block keeps its own values, even where blocks meet
   {
     own.Extinction = part.Optics.Extinction;
     own.Albedo = part.Optics.Albedo;

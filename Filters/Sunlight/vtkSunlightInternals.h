@@ -27,7 +27,7 @@ struct vtkSunlight::Work
 {
   nephoscope::Planet Planet;
   std::array<double, 3> Sun;
-  bool Repeats = false; // on a RepeatedGrid
+  bool Repeats = false; // the data are the grid of a RepeatedGrid
   std::vector<nephoscope::Place> Places;
   std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
   std::vector<float> Transmittance, ScaledDepth;
@@ -52,7 +52,7 @@ struct vtkSunlight::Work
     at.Planet = this->Planet;
     at.Sun = this->Sun;
     const auto take = [&numbers](const auto& from, auto& to) {
-      to.resize(from.empty() ? 0 : numbers.size()); // clouds that shade them may be missing
+      to.resize(from.empty() ? 0 : numbers.size()); // empty: without shading clouds, for example
       for (std::size_t p = 0; p < to.size(); ++p)
       {
         to[p] = from[numbers[p]];
@@ -75,7 +75,7 @@ struct vtkSunlight::Joint
   nephoscope::JoinedClouds Clouds;
   std::vector<double> State; // that they were joined for
   std::unique_ptr<Work> Light;
-  bool Told = false; // what is wrong with the light of all
+  bool Told = false; // the warnings about the light
 };
 
 namespace nephoscope

@@ -81,7 +81,7 @@ void vtkSunlight::WarnOfPieces(vtkDataSet* data, vtkInformation* information)
   {
     vtkWarningMacro(
       << nephoscope::inBlock(this, data)
-      << "One of several pieces of unstructured data is asked for, and has the light of this piece alone: clouds of other pieces cast no shadow there. For the light of all, ask for "
+      << "One of several pieces of unstructured data is requested, and it is lit alone: clouds of other pieces cast no shadow on it. For the light of all pieces, request "
          "the data as one piece, or make an image by Resample To Image first.");
   }
   this->ToldOfPieces = inPieces;

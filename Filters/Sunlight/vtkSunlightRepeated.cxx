@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds that repeat themselves beyond the sides of a grid.
+// Clouds that repeat beyond the sides of a grid.
 #include "vtkSunlight.h"
 
 #include "RepeatedGrid.h"

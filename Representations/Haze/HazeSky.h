@@ -26,8 +26,8 @@ public:
   vtkTypeMacro(HazeSky, vtkProp);
 
   /**
-   * Until Leave, it has bounds on all sides of the camera if it is composited with pictures of other ranks: these take from each
-   * rank only the part of the picture in which its bounds lie.
+   * If several ranks draw, it has bounds on all sides of the camera until Leave. Compositing takes from the picture of each rank
+   * only the part in which the bounds of that rank lie.
    */
   void Enter(vtkHaze::SkyOfRank rank, vtkCamera* camera);
   void Leave() { this->UseBoundsOff(); }

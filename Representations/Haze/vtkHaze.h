@@ -209,8 +209,8 @@ public:
   enum class SkyOfRank
   {
     ALONE,    ///< no other rank draws
-    LAST,     ///< pictures are blended in the order of the ranks, and this is the farthest one
-    BY_DEPTH, ///< the nearest fragment of all ranks is seen, so this one needs a depth
+    LAST,     ///< pictures are blended in the order of the ranks, and this rank is the farthest
+    BY_DEPTH, ///< the nearest fragment of all ranks is seen, so the haze needs a depth
     NONE      ///< another rank draws it
   };
 

@@ -219,7 +219,7 @@ class Settings(unittest.TestCase):
             self.assertAlmostEqual(made[0].made.GetTimeStepUsed(), 2 * np.sqrt(3) / 32 / np.linalg.norm(WIND), places=12)
 
     def test_duration_of_too_many_steps(self):
-        """A million usual steps reach so far; what makes layers of smoke visible is told, once, with both steps and the remedy."""
+        """A duration of more than two million usual steps has one warning, with both steps and the remedy: layers of smoke become visible."""
         usual = 2 * np.sqrt(3) / 32 / np.linalg.norm(WIND)
         for times, told in ((1.5, 0), (8, 1), (40, 1)):
             smoke, messages = update(flow_volume(cube(), Center=(0, 0, -0.5), Radius=0.05, Duration=times * 1e6 * usual))

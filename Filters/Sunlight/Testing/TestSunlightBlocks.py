@@ -101,7 +101,7 @@ class Blocks(unittest.TestCase):
                                            atol=max(tolerance, ABSORBED) if name == "AbsorbedLight" else tolerance, err_msg=name)
 
     def test_light_of_a_mesh_cut_in_parts(self):
-        """Is that of the mesh, in blocks of every kind, which stay what they are."""
+        """Blocks of every kind have the light of the mesh, and keep their kind."""
         data = clouds()
         whole, _ = light_of(cells_of(data), SUN, **OPTICS)
         kinds = (lambda block: block, cells_of, structured, lambda block: cells_of(block, 0))  # the last in single precision
@@ -146,7 +146,7 @@ class Blocks(unittest.TestCase):
                     np.testing.assert_array_equal(values(leaf, name), values(whole, name), err_msg=name)
 
     def test_ghosts_do_not_count_twice(self):
-        """Nor cells that finer blocks refine."""
+        """Cells that finer blocks refine are left out."""
         data = clouds()
         whole, _ = light_of(cells_of(data), SUN, **OPTICS)
         for flag, make in ((vtkDataSetAttributes.DUPLICATECELL, cells_of), (vtkDataSetAttributes.REFINEDCELL, lambda block: block)):
@@ -191,7 +191,7 @@ class Blocks(unittest.TestCase):
         self.assertIn("The clouds have no array 'SunTransmittance'", "".join(messages))
 
     def test_another_eye_and_another_sun(self):
-        """What was computed before is not taken for what is asked now."""
+        """New settings or data give new light, not the one kept from before."""
         data = clouds()
         blocks = multi_block([part(data, 0, 6), cells_of(part(data, 6, 12))])
         light = vtkSunlight()

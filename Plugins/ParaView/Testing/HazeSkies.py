@@ -67,7 +67,7 @@ def flat_map():
 
 
 def inside():
-    """The eye is in the haze, amid the cells and balls. A direction is looked into by `look_along`."""
+    """The eye is in the haze, amid the cells and balls. `look_along` turns the view."""
     view = new_view(SIZE)
     display = compose(pvs.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]), view)
     display.CellCompositingAutomaticUnitDistance, display.CellCompositingUnitDistance = 0, 12

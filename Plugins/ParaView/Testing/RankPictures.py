@@ -33,7 +33,7 @@ def pictures(prefix, output, names):
 
 
 def run_with_server(script, names, ranks=1):
-    """The pictures of these names, which are all that is drawn, on a pvserver of so many ranks. It waits on a free port that it announces; the client draws there."""
+    """Draws only the pictures of these names, on a pvserver with this number of ranks. The server waits on a free port that it announces; the client draws there."""
     log = os.path.join(OUTPUT, f"{script}-server.log")
     with open(log, "w") as file:
         server = subprocess.Popen(launcher(ranks) + [program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, stdout=file, stderr=subprocess.STDOUT)

@@ -129,7 +129,7 @@ class TestWeatherArchives(unittest.TestCase):
         np.testing.assert_allclose(data.nephoscope.column("SHUM")["column"], 0.007 * 15000 / GRAVITY, rtol=1e-5)
         self.assertGreater(data.nephoscope.column("water_vapour")["column"].min(), 0)
         told = data.nephoscope.describe()
-        self.assertIn("note: 'SHUM' is on 'lev2', and most variables are on 'lev': it is used at the 1 levels that are on both", told)
+        self.assertIn("note: 'SHUM' is on 'lev2', and most variables are on 'lev': it is used at the levels that both have, 1 of 3", told)
         for name in ("SHUM", "specific_humidity"):
             self.assertEqual(data.nephoscope._of_field(name, None, {}), ("SHUM", {"vertical": "lev2", "variables": ["SHUM"]}))
         apart = data.assign_coords(lev2=("lev2", [840.0, 700.0], {"units": "hPa"}))

@@ -117,7 +117,7 @@ class Centres(unittest.TestCase):
             self.assertIn("temperature: 'TT' (K)", written(data))
 
     def test_order_of_summed_layers(self):
-        """Given by heights or by the axis; a guess is told where the layers differ little, with the line of the user."""
+        """Heights or the axis give it. If the layers differ little, a warning tells that it is a guess, at the line of the user."""
         dp = {"delp": ([3000.0, 2000, 1700], {"units": "Pa"}), "geop": ([900.0, 600, 400], {"units": "gpm", "long_name": "geopotential height"}), "x": (1.0, {"units": "1"})}
         model = on_levels("lev", [233.2, 228.4, 223.6], dp, {}, psfc=(97850.0, {"units": "Pa"}))
         pressure = lambda data, **roles: data.nephoscope._understood(0, None, roles)[1].pressure[:, 0, 0]  # noqa: E731

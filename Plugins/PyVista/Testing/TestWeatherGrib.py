@@ -42,7 +42,7 @@ class Grib(unittest.TestCase):
                 self.assertEqual(set(grid.point_data) - {"vtkGhostType"}, {"gh", "t", "cc", "Height", "BelowGround"})
 
     def test_single_points_and_fields(self):
-        """Any selection, down to one value, is that of the whole."""
+        """Any selection, down to one value, equals that part of the whole field."""
         self.forecast()
         dataset = nephoscope.open(self.path)
         for field in (dataset.t, dataset.t2m.isel(time=0), dataset.orog):
@@ -157,7 +157,7 @@ class Grib(unittest.TestCase):
             np.testing.assert_allclose(plotter.scalar_bars[name].GetLookupTable().GetRange(), wanted, rtol=2e-3)
             told = [str(one.message) for one in told if "layers" in str(one.message)]
             self.assertEqual(bool(told), name == "r", told)
-        self.assertIn("'pressureFromGroundLayer' are 3 layers, which may overlap; number 1, 6000 was taken, the first with values. Choose one: ds.isel(pressureFromGroundLayer=1).", told)
+        self.assertIn("'pressureFromGroundLayer' has 3 layers, which may overlap. The first with values is used, number 1 (6000). Choose one: ds.isel(pressureFromGroundLayer=1).", told)
 
     def test_a_file_that_has_changed(self):
         self.winds_in_one_message()

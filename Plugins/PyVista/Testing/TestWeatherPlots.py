@@ -316,7 +316,7 @@ class Plots(unittest.TestCase):
         self.assertGreater(abs(with_levels - beside).max(), 50)
 
     def test_a_field_of_one_level_beside_two_axes(self):
-        """Levels of one axis, half levels or other pressures, stay out as those of the other; cells and other fields of one level stay."""
+        """Variables on levels of either axis, half levels or other pressures, are left out; cells and other fields of one level stay."""
         both = forecast()
         level = (both.ta.isel(plev=0, drop=True) + np.arange(len(LON)) * xr.ones_like(both.ta.isel(plev=0, drop=True))).assign_attrs(units="K")
         more = both.ta.isel(plev=slice(2)).rename(plev="lev2").rename("shum")
@@ -336,7 +336,7 @@ class Plots(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"variables: 'P' not on the grid. 'P' of the file has become 'air_pressure', P \+ PB"):
             data.nephoscope.globe(variables=["P"])
         for dataset, name in ((data, "XLONG"), (data[["XLONG", "XLAT", "HGT"]].reset_coords(), "XLAT")):
-            with self.assertRaisesRegex(ValueError, rf"'{name}' tells where the points or cells are, and is no field. To draw it, copy its values: ds.assign\(copy=.*\['{name}'\].data"):
+            with self.assertRaisesRegex(ValueError, rf"'{name}' tells where the points or cells are; it is not a field. To draw it, copy its values: ds.assign\(copy=.*\['{name}'\].data"):
                 dataset.nephoscope.plot(name)
 
     def test_temperature_is_drawn_at_the_ground(self):

@@ -212,7 +212,7 @@ class Sections(unittest.TestCase):
         self.assertEqual(sheet.n_points, LON.size * HEIGHTS.size)
 
     def test_a_dimension_too_many(self):
-        """The message proposes one that the user has."""
+        """The message proposes a dimension that the data have."""
         basins = dataset().mean("lon", keep_attrs=True).expand_dims(basins=3)
         with self.assertRaisesRegex(ValueError, r"dimensions 'basins', 'level', 'lat': .* but it has 'basins', 'lat'. .* ds.isel\(basins=0\)"):
             basins.nephoscope.plot("place")

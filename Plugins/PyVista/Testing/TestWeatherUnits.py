@@ -109,7 +109,7 @@ class Parts(unittest.TestCase):
                 self.assertAlmostEqual(weather(name, factor * RANDOM / RANDOM.max(), units=units).nephoscope.globe()[name].max(), factor, places=4)
 
     def test_units_that_the_values_contradict(self):
-        """A warning tells the units that they seem to have, once; the units are used as they are. Differences, other planets and the upper atmosphere have none."""
+        """A warning tells the units that they seem to have, once; the units are used as they are. Differences, other planets and the upper atmosphere cause no warning."""
         shape = np.linspace(0, 1, RANDOM.size).reshape(RANDOM.shape)
         cases = (("t", 190 + 120 * shape, "C", "K"), ("t", 90 * shape - 70, "K", "degC"), ("r", 100 * shape, "1", "%"), ("q", 20 * shape, "kg/kg", "g kg-1"), ("theta", 400 - 700 * shape, "K", None),
                  ("t", 190 + 120 * shape, "K", None), ("t", 90 * shape - 70, "degC", None), ("t", 200 + 1500 * shape, "K", None), ("t", 40 * shape - 20, "K", None), ("theta", 280 + 2000 * shape, "K", None), ("r", 1.3 * shape, "1", None),
@@ -123,7 +123,7 @@ class Parts(unittest.TestCase):
                 text = [str(one.message) for one in told if "seem to be in" in str(one.message)]
                 self.assertEqual(len(text), better is not None, text)
                 if better:
-                    self.assertRegex(text[0], rf"^'{name}' has the units '{units}', but values from .* which are no .* in these: they seem to be in {better}. Set its units: ds\['{name}'\].attrs\['units'\] = '{better}'.$")
+                    self.assertRegex(text[0], rf"^'{name}' has the units '{units}', but values from .* which are not plausible for .* in these units: they seem to be in {better}. Set its units: ds\['{name}'\].attrs\['units'\] = '{better}'.$")
                     self.assertIn("seem to be in", data.nephoscope.describe())
                     data[name].attrs["units"] = better
                     self.assertNotIn("seem to be in", data.nephoscope.describe())

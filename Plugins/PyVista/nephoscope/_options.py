@@ -13,9 +13,9 @@ from ._checks import listed
 from ._pipeline import level_of_caller
 
 
-_SHADING = "Volumes are not shaded: sun=... lights them, and the coefficients in `.prop` of the volume light contour surfaces."
+_SHADING = "Volumes are not shaded. sun=... lights them; the coefficients in the volume's `.prop` shade contour surfaces."
 _MISSING = "Cells with missing values (NaN) are not drawn."
-_TABLE = "Pass a pyvista.LookupTable as cmap, which has colours below and above its range, and annotations."
+_TABLE = "Pass a pyvista.LookupTable as cmap: it has colours below and above its range, and annotations."
 OF_ADD_VOLUME = {**dict.fromkeys(("shade", "ambient", "diffuse", "specular", "specular_power"), _SHADING), **dict.fromkeys(("nan_color", "nan_opacity"), _MISSING),
                  **dict.fromkeys(("above_color", "below_color", "annotations", "categories"), _TABLE), "blending": "Volumes are always composited."}
 

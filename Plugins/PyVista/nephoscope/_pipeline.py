@@ -53,7 +53,7 @@ def _renamed(message: str, names: Mapping[str, str]) -> str:
 
 def level_of_caller(*others: str) -> int:
     """Number of stack frames to the code that called this package (or code in the folders `others`), as `warnings.warn` counts them."""
-    folders = (functools.__file__, *(os.path.join(folder, "") for folder in (os.path.dirname(__file__), *others)))  # cached properties are called by functools
+    folders = (functools.__file__, *(os.path.join(folder, "") for folder in (os.path.dirname(__file__), *others)))  # functools calls cached properties
     frame, level = sys._getframe(1), 1
     while frame.f_back is not None and frame.f_code.co_filename.startswith(folders):
         frame, level = frame.f_back, level + 1

@@ -76,9 +76,9 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
     sky_light : float, default: 0.08
         Irradiance from the sky under an overhead sun, as a fraction of the sun's irradiance, 0 to 10.
     periodic : bool, default: False
-        The clouds of an image, a rectilinear or a structured grid repeat themselves beyond its sides, as in a model with periodic boundaries: they cast shadows into the grid and
-        scatter light into it. If the extinction is equal on opposite sides, these are the same points; otherwise the next copy begins one step of the grid further. False: no
-        shadows come from beyond the sides, which are mirrors for diffuse light.
+        The clouds of an image, a rectilinear or a structured grid repeat beyond its sides, as in a model with periodic boundaries: they cast shadows into the grid and
+        scatter light into it. If the extinction is equal on opposite sides, these sides count as the same points. Otherwise the next copy begins one grid spacing beyond the last
+        points. False: no shadows come from beyond the sides, which are mirrors for diffuse light.
     multiple_scattering : bool, default: True
         Includes light that is scattered more than once.
     zenith_angles, azimuth_angles : int

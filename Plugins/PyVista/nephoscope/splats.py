@@ -273,8 +273,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
             on_cells = not mesh.point_data and mesh.cell_data  # for hyper tree grids, for example: each cell has its own size
             scalars, clim, preference = np.ones(mesh.n_cells if on_cells else mesh.n_points), (0, 1), "cell" if on_cells else "point"
     if 0 < mesh.n_cells < FEWEST and streaks.array is None and sizes is None and cell_dimension(mesh) == 3:
-        warnings.warn(f"The mesh has {mesh.n_cells} {'cell' if mesh.n_cells == 1 else 'cells'}. Splats are soft blobs, which do not show the shape of so few cells, and may be too faint "
-                      "to be seen: draw them by add_cells.", RuntimeWarning, stacklevel=level_of_caller())
+        warnings.warn(f"The mesh has {mesh.n_cells} {'cell' if mesh.n_cells == 1 else 'cells'}. Splats are soft blobs: they do not show the shape of so few cells, and may be too faint "
+                      "to see. Draw the mesh by add_cells.", RuntimeWarning, stacklevel=level_of_caller())
     given = mesh
     mesh, array_name, association = scalar_array(mesh, scalars, preference, component)
     darken_for(plotter, data, mesh)

@@ -32,7 +32,7 @@ void takeMaximumOfRanks(double* numbers, int count)
   }
 }
 
-// The view blends pictures in the order of the boxes of ranks, or has none and takes the nearest fragment of all ranks.
+// If ranks have boxes, the view blends their pictures in the order of these. Otherwise it takes the nearest fragment of all ranks.
 vtkHaze::SkyOfRank findSkyOfRank(vtkPVRenderView* view)
 {
   using Sky = vtkHaze::SkyOfRank;

@@ -5,7 +5,7 @@
  * @brief the haze of a render view: one switch for everything in it
  *
  * While it is visible its vtkHaze is that of the view's renderer; of several the one shown last. Each rank hazes its own fragments before they are
- * composited. The rank whose picture lies behind the others draws the haze before the background.
+ * composited. One rank draws the haze before the background, as the farthest layer.
  */
 #ifndef vtkHazeRepresentation_h
 #define vtkHazeRepresentation_h

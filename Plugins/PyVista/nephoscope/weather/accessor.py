@@ -77,7 +77,7 @@ class WeatherAccessor:
         from .vertical import axis_of
         reading = self._reading(time, options)
         name = reading.elsewhere.get(name, name)
-        if "vertical" not in options and (own := axis_of(reading, name)):  # another than most variables have
+        if "vertical" not in options and (own := axis_of(reading, name)):  # not the axis of most variables
             options = {**options, "vertical": own}
             reading = self._reading(time, options)
         found, more = named(reading, name)
@@ -219,7 +219,7 @@ class WeatherAccessor:
         from .vertical import axis_of
         roles, rest = _options(options)
         reading, air = self._understood(time, vertical, roles)
-        if vertical is None and (own := axis_of(reading, quantity)):  # another than most variables have
+        if vertical is None and (own := axis_of(reading, quantity)):  # not the axis of most variables
             reading, air = self._understood(time, own, roles)
         return place_sheet(reading, {"column": column_of(quantity, reading, air)}, "kg m-2", rest)
 

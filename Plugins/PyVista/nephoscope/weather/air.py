@@ -14,7 +14,7 @@ from .units import GRAVITY, converted
 from .vertical import VerticalError, formula_terms, runs_down, usual_coefficients
 
 SEA_LEVEL = 101325.0  # Pa
-CLEAR = 2.0  # ratio of the outermost layers of a model from which their thicknesses tell which one is uppermost
+CLEAR = 2.0  # least ratio between the thicknesses of the outermost layers that tells which one is uppermost
 
 
 class Air:
@@ -87,7 +87,7 @@ class Air:
         return self.surface_pressure - midpoints(layers, not top_first)
 
     def _is_top_first(self, role: str, layers: np.ndarray, thin_top: bool) -> bool:
-        """The order of layers whose thicknesses are summed: that of given heights or of the axis, otherwise a guess by the thicknesses, which is sure only if they differ much."""
+        """Whether the first layer is the uppermost. Heights or the axis tell it; otherwise the thicknesses do, with a warning unless they differ much."""
         reading = self.reading
         for other in ("altitude", "geopotential_height", "geopotential"):
             if reading.has(other) and reading.vertical.dim in reading.dataset[reading.roles[other]].dims:
@@ -99,7 +99,7 @@ class Air:
         top_first = bool(first < last if thin_top else first > last)
         if max(first, last) < CLEAR * min(first, last) and len(layers) > 1:
             name, dim = reading.roles[role], reading.vertical.dim
-            reading.warn(f"{name!r}: its layers are summed with the {'first' if top_first else 'last'} one uppermost, which is a guess by their thickness. If the first one is {'lowest' if top_first else 'uppermost'}, "
+            reading.warn(f"{name!r}: its layers are summed with the {'first' if top_first else 'last'} one uppermost, which is a guess from their thicknesses. If the first one is {'lowest' if top_first else 'uppermost'}, "
                          f"say so: ds = ds.assign_coords({dim}=({dim!r}, range({len(layers)}), {{'positive': {'up' if top_first else 'down'!r}}})); or name the pressure, "
                          "globe(pressure='...').")
         return top_first

@@ -28,7 +28,7 @@ ALIKE = 0.5  # fields with one title have one range if more than this fraction o
 RIGHT = 0.885  # left edge of an upright bar in a window that has room beside it, as a share of the width
 EDGE = 6  # pixels between text and the edge of the window
 NARROWEST = 26  # pixels of a bar with its labels' gap
-LONGEST_WORD = 20  # letters above an upright bar
+LONGEST_WORD = 20  # letters of a word that fits undivided above an upright bar
 PAPER = 0.8  # opacity behind dark text
 PARTS = 0.05  # of the distance between labels: the greatest rounding of a label
 
@@ -76,7 +76,7 @@ def finish_bars(plotter: pyvista.BasePlotter, before: list[vtkScalarBarActor], t
 
 
 def _make_readable(plotter: pyvista.BasePlotter, bar: vtkScalarBarActor) -> None:
-    """Text of a colour that stands out from the background; dark text, which may be over the dark globe, has the background behind it."""
+    """Gives text a colour that stands out from the background. Dark text may lie over the dark globe, so it gets the background's colour behind it."""
     for prop in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         prop.SetColor(text_colour(plotter).float_rgb)
         if is_bright(plotter.background_color):
@@ -179,7 +179,7 @@ def make_room(plotter: pyvista.BasePlotter, as_high: bool) -> None:
 
 
 def _short_lines(name: str) -> list[str]:
-    """Lines of 14 letters, which end after a word or an underscore; only the longest words are divided."""
+    """Lines of about 14 letters that end after a word or an underscore. Words are divided only if one is longer than LONGEST_WORD."""
     return [line.replace("_ ", "_") for line in textwrap.wrap(name.replace("_", "_ "), 14, break_long_words=max(map(len, re.split(r"[_\s]", name))) > LONGEST_WORD)]
 
 

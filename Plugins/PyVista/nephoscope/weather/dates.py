@@ -10,7 +10,7 @@ import numpy as np
 
 _DAYS = re.compile(r"day\s+as\s+%Y%m%d(\.%f)?")  # units of times by CDO and ICON, such as 20200101.25
 _WRITTEN = re.compile(r"(\d{4}-\d\d-\d\d)[_T ](\d\d:\d\d:\d\d)")  # in WRF's variable Times
-FIRST, LAST = np.datetime64("1678-01-01"), np.datetime64("2262-01-01")  # between which dates have nanoseconds
+FIRST, LAST = np.datetime64("1678-01-01"), np.datetime64("2262-01-01")  # dates between these fit into nanoseconds
 _STARTS = ("forecast_reference_time", "reftime", "initial_time", "init_time")
 _LEADS = ("step", "forecast_time", "leadtime", "lead_time", "prediction_timedelta", "forecast_period")
 
@@ -39,7 +39,10 @@ def _of_days(days: np.ndarray) -> np.ndarray | None:
 
 
 def in_range(dates: np.ndarray) -> np.ndarray | None:
-    """Dates in seconds as xarray has them: in nanoseconds or, for years such as those of models' runs that these do not reach, as cftime's; None if cftime is missing or there are gaps in such years."""
+    """Dates in seconds, as xarray has them: in nanoseconds or, for model years outside their range, as dates of cftime.
+
+    None for such years if cftime is missing or a date is missing.
+    """
     known = dates[~np.isnat(dates)]
     if not known.size or FIRST < known.min() and known.max() < LAST:
         return dates.astype("M8[ns]")

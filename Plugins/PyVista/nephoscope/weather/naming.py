@@ -61,7 +61,7 @@ def _why_not(reading: Reading, name: str, fields: list[str]) -> str:
         return f"{name!r} is of type {variable.dtype}, but a field must have numbers. Convert it, ds[{name!r}].astype('float32'), or draw another: {listed(fields)}."
     if name in reading.helpers:
         copy = f" To draw it, copy its values: ds.assign(copy=({variable.dims!r}, ds[{name!r}].data))." if set(variable.dims) == set(reading.horizontal.dims) else ""
-        return f"{name!r} tells where the points or cells are, and is no field.{copy} There are: {listed(fields)}."
+        return f"{name!r} tells where the points or cells are; it is not a field.{copy} There are: {listed(fields)}."
     wanted = [*([reading.vertical.dim] if reading.vertical else []), *reading.horizontal.dims]
     others = [dim for dim in variable.dims if dim not in wanted]
     of_another_grid = not others or variable.ndim <= len(reading.horizontal.dims)

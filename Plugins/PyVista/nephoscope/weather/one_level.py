@@ -53,8 +53,8 @@ def _is_beside_others(reading: Reading, name: str) -> bool:
 
 
 def _on_grid_of(dataset: xarray.Dataset, name: str) -> xarray.Dataset:
-    """The dataset without the variables that have a dimension which the field has not, on whichever levels; longitudes, latitudes and what describes cells stay."""
+    """The dataset without variables on dimensions that the field does not have. Longitudes, latitudes and variables that describe cells stay."""
     own, kept = set(dataset[name].dims), {name, *helpers(dataset)}
-    shared = {dim for dim in own if not is_layer(str(dim))}  # of layers, the first on which this field has values is drawn
+    shared = {dim for dim in own if not is_layer(str(dim))}  # the values of this field alone decide which layer is drawn
     stays = lambda other, variable: set(variable.dims) <= shared or other in kept or variable.dims == (other,) or is_longitude(str(other), variable) or is_latitude(str(other), variable)  # noqa: E731
     return dataset.drop_vars([other for other, variable in dataset.variables.items() if not stays(other, variable)])

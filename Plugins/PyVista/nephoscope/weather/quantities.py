@@ -25,7 +25,7 @@ def wanted(names: str | Iterable[str], known: Iterable[str], where: str = "") ->
 
 
 def no_column(name: str, where: str, variables: list[str], dims: list[str] | None = None) -> ValueError:
-    """The error for a name of which there is no integral over height. `dims`: those of the variable, if it exists."""
+    """The error for a name that has no integral over height. `dims`: the dimensions of the variable, if it exists."""
     if dims is not None:
         return ValueError(f"column: {name!r} is on {listed(dims) or 'no dimension'}, and has no integral over the {where}. These have: {listed(variables)}.")
     return ValueError(f"column: {name!r} is neither {', '.join(map(repr, PER_VOLUME))} nor a variable on the {where}: {listed(variables)}.")

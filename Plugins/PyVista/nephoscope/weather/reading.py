@@ -41,7 +41,7 @@ def _numbers(values: np.ndarray) -> np.ndarray:
 
 
 def _are_apart(here: np.ndarray, there: np.ndarray) -> bool:
-    """For two sorted axes."""
+    """Whether two sorted axes are different selections of levels; see `_is_apart`."""
     if here.size == there.size and np.allclose(here, there, 1e-5, 0):
         return False
     return bool(np.isclose(here[:, None], there, 1e-5, 0).any() or np.any(np.diff(np.searchsorted(here, there)) != 1))
@@ -129,13 +129,13 @@ class Reading:
                                 f"ds.isel({self._unplaced(dims)}=0). If the axes are lengths, the data are flat: ds.nephoscope.grid(x='...', y='...', z='...').")
 
     def _take_layer(self, dim: str) -> None:
-        """The first layer that has values. Layers of this kind may overlap, so that they are no axis."""
+        """Takes the first layer that has values. Layers of this kind may overlap, so they are no axis."""
         size, axis = self.dataset.sizes[dim], self.dataset.variables.get(dim)
         fields = [variable for _, variable in self._numbers() if dim in variable.dims]
         first = next((i for i in range(size) if any(np.isfinite(_numbers(field.isel({dim: i}).values)).any() for field in fields)), 0)
-        told = "" if axis is None else f", {axis.values[first]:g}"
+        told = "" if axis is None else f" ({axis.values[first]:g})"
         if size > 1:
-            self.warn(f"{dim!r} are {size} layers, which may overlap; number {first}{told} was taken, the first with values. Choose one: ds.isel({dim}={first}).")
+            self.warn(f"{dim!r} has {size} layers, which may overlap. The first with values is used, number {first}{told}. Choose one: ds.isel({dim}={first}).")
         self.dataset = self.dataset.isel({dim: first})
 
     def _dim_of_heights(self, dims: list[str]) -> str | None:
@@ -203,11 +203,11 @@ class Reading:
         return next(iter(candidates(role, pool)), None)
 
     def axis_of_variable(self, name: str) -> str:
-        """The dimension of a variable that is none of the grid's."""
+        """The first dimension of a variable that is not one of the horizontal grid's."""
         return next(str(dim) for dim in self.dataset[name].dims if dim not in self.horizontal.dims)
 
     def _use_common_levels(self) -> None:
-        """Humidity on another axis of the same kind, as on fewer pressures, is used at the levels that both axes have; the variable itself stays as it is."""
+        """Humidity on another axis of the same kind, as on fewer pressures, is used at the levels that both axes have. The variable itself stays as it is."""
         for role, name in self.elsewhere.items():
             dim = self.axis_of_variable(name)
             other = find_vertical(self.dataset, [dim], None)
@@ -224,7 +224,7 @@ class Reading:
             self.dataset = self.dataset.assign({made: field.where(levels).assign_attrs(self.dataset[name].attrs)})
             self.helpers.add(made)
             self.roles[role] = made
-            self.note(f"{name!r} is on {dim!r}, and most variables are on {self.vertical.dim!r}: it is used at the {common.sum()} levels that are on both")
+            self.note(f"{name!r} is on {dim!r}, and most variables are on {self.vertical.dim!r}: it is used at the levels that both have, {common.sum()} of {common.size}")
 
     def field_variables(self):
         """Variables on levels, including staggered ones."""
@@ -253,7 +253,7 @@ class Reading:
         return self.vertical is None or own != self.vertical.dim or dim == own or not (is_other_axis(str(dim), str(own)) or self._is_apart(str(dim)))
 
     def _is_apart(self, dim: str) -> bool:
-        """Whether an axis of pressures or heights is another selection of levels: neither those of the vertical axis nor between them one by one, as half levels are."""
+        """Whether an axis of pressures or heights is another selection of levels: neither those of the vertical axis nor, like half levels, one between each two of them."""
         if dim not in self._apart:
             other = find_vertical(self.dataset, [dim], None) if dim in self.dataset.variables else None
             alike = other is not None and other.kind == self.vertical.kind and other.kind.startswith(("pressure", "height"))
@@ -329,7 +329,7 @@ class Reading:
             return
         self._checked.add(name)
         if (better := better_units(found, units, role)) is not None:
-            self.warn(f"{name!r} has the units {units!r}, but values from {np.nanmin(found):.4g} to {np.nanmax(found):.4g}, which are no {ROLES[role].meaning} in these: they seem to be in {better}. "
+            self.warn(f"{name!r} has the units {units!r}, but values from {np.nanmin(found):.4g} to {np.nanmax(found):.4g}, which are not plausible for {ROLES[role].meaning} in these units: they seem to be in {better}. "
                       f"Set its units: ds[{name!r}].attrs['units'] = {better!r}.")
 
     @cached_property

@@ -65,7 +65,7 @@ ROLES = {role.name: role for role in FIELDS + SURFACE}
 _OF_LEVELS = re.compile(r"_(isobaric|hybrid\d*|sigma|height_above_ground|pl|ml|pressure|surface|gds\d+_\w+|p\d+_l\d+_g\w+)$")
 UNKNOWN_GRIB = ("unknown", "~", "")
 _TOLD = ("long_name", "description", "desc", "title")  # attributes that say in words what a variable is
-_SHORTEST = 4  # letters of a name that is a word
+_SHORTEST = 4  # letters; shorter names are not words
 
 
 def grib_name(variable) -> str:

@@ -44,7 +44,7 @@ def _with_row(dataset: Any, lines: set[str], row: str = ROW) -> Any:
 
 
 def _lines(dataset: Any) -> set[str]:
-    """The dimensions along which both longitudes and latitudes lie, and these along a line; at the first time, as WRF's have times."""
+    """The dimensions that both longitudes and latitudes have, if the points lie on a line. If these depend on time, as in WRF, the first time counts."""
     first = {dim: 0 for dim in time_dims(dataset)}
     there = {name: variable.isel(first, missing_dims="ignore") for name, variable in dataset.variables.items() if 0 < variable.ndim < 3}
     longitudes, latitudes = ({variable.dims[0]: variable for name, variable in there.items() if variable.ndim == 1 and fits(str(name), variable)} for fits in (is_longitude, is_latitude))
@@ -52,7 +52,7 @@ def _lines(dataset: Any) -> set[str]:
 
 
 def _faces(dataset: Any, lines: set[str]) -> set[str]:
-    """The dimensions of faces of the cells along these lines, which may have no longitudes and latitudes."""
+    """The dimensions of cell faces along these lines. They may have no longitudes and latitudes."""
     return {str(dim) for dim in dataset.dims for line in lines if is_staggered(dim) and abs(dataset.sizes[dim] - dataset.sizes[line]) <= 1 and (str(dim).startswith(line) or is_same_axis(dim, line))}
 
 

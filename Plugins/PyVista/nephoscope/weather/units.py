@@ -108,19 +108,19 @@ def converted(values: np.ndarray, units: object, quantity: str, name: str) -> tu
     return values * values.dtype.type(factor) + values.dtype.type(added), f"{name!r}: {units} converted to {target}"
 
 
-# Role -> quantity, the values that are possible on a planet, the usual ones on Earth, and the units to try.
+# Role -> quantity, range of possible values on a planet, range of usual values on Earth, units to try.
 _RANGES = {"temperature": ("temperature", (90, 400), (150, 345), ("K", "degC")), "potential_temperature": ("temperature", (150, np.inf), (200, 600), ("K", "degC")),
            "surface_pressure": ("pressure", (2e4, 1.2e5), (7e4, 1.1e5), ("Pa", "hPa", "kPa")), "pressure": ("pressure", (0, 2e5), (0, 1.1e5), ("Pa", "hPa", "kPa")),
            "relative_humidity": ("fraction", (-1, 5), (-0.05, 1.6), ("1", "%")),
            **{role: ("mass fraction", (-1, 0.2), (-1e-3, 0.05), ("kg kg-1", "g kg-1")) for role in ("specific_humidity", "mixing_ratio")}}
 CHECKED = tuple(_RANGES)
 _SAMPLE = 20000  # values that are looked at
-_LEAST_RANGE = 60.0  # K: temperatures in a column of air; differences of temperatures, in K too, vary less
-_MOST = (2, 98)  # percentiles: a few odd values are none of the units
+_LEAST_RANGE = 60.0  # K: temperatures in a column of air vary more; differences of temperatures, also in K, vary less
+_MOST = (2, 98)  # percentiles: a few odd values do not count
 
 
 def better_units(values: np.ndarray, units: object, role: str) -> str | None:
-    """The units that the values of a variable in a role seem to have, if those that it states would make them impossible and others usual; None otherwise."""
+    """The units in which the values of a role are usual, if they are impossible in the stated units; None otherwise."""
     quantity, possible, usual_ones, others = _RANGES.get(role, ("", (0, 0), (0, 0), ()))
     if not quantity or not plain(units) or not knows(units, quantity):
         return None
