@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkCommunicator.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
@@ -15,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -279,6 +281,23 @@ CloudPart::CloudPart(vtkDataSet* data, const OpticalArrays& arrays)
   this->Optics = { values(0, this->Wrong), values(1, ignored), values(2, ignored) };
 }
 
+namespace
+{
+// Field data, which describe the planet and the sun: those of the first rank that has points.
+void shareFieldData(
+  vtkMultiProcessController* ranks, const std::vector<vtkIdType>& counts, vtkFieldData* fields)
+{
+  const auto first = std::find_if(counts.begin(), counts.end(), [](vtkIdType n) { return n > 0; });
+  if (ranks && first != counts.end())
+  {
+    vtkNew<vtkPolyData> holder;
+    holder->GetFieldData()->ShallowCopy(fields);
+    ranks->Broadcast(holder, static_cast<int>(first - counts.begin()));
+    fields->ShallowCopy(holder->GetFieldData());
+  }
+}
+}
+
 void JoinedClouds::Join(vtkMultiProcessController* ranks)
 {
   std::vector<vtkIdType> counts(ranks ? ranks->GetNumberOfProcesses() : 1, 0);
@@ -314,8 +333,8 @@ void JoinedClouds::Join(vtkMultiProcessController* ranks)
   }
   if (!this->Parts.empty())
   {
-    // Field data describe the planet.
     this->Mesh->GetFieldData()->ShallowCopy(this->Parts.front().Data->GetFieldData());
   }
+  shareFieldData(ranks, counts, this->Mesh->GetFieldData());
 }
 }

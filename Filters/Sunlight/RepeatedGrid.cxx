@@ -3,6 +3,7 @@
 #include "RepeatedGrid.h"
 
 #include "ChessboardDivision.h"
+#include "Vector3.h"
 
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -42,6 +43,7 @@ RepeatedGrid::RepeatedGrid(vtkDataSet* data, const Planet& planet, const std::ve
     [&places](std::size_t p) { return places[p]; },
     [&planet](const Place& place) { return planet.UpAt(place); });
   this->Sizes = this->Order.GetSizes();
+  this->Up = planet.Up;
   const std::vector<float> ordered = this->Order.Of(values);
   for (int axis = 0; axis < 2; ++axis)
   {
@@ -93,22 +95,25 @@ RepeatedGrid::Index RepeatedGrid::Extent() const
   return extent;
 }
 
+// The way to the next copy: horizontal, whatever the slope of the levels.
+Place RepeatedGrid::Period(int axis, const std::vector<Place>& places) const
+{
+  Index last{ { 0, 0, 0 } };
+  last[axis] = this->Sizes[axis] - 1;
+  Index before = last;
+  --before[axis];
+  const Place& end = places[this->Number(last)];
+  Place period = end - places[0];
+  if (!this->Meet[axis])
+  {
+    period = period + (end - places[this->Number(before)]);
+  }
+  return period - dot(period, this->Up) * this->Up;
+}
+
 void RepeatedGrid::Make(const std::vector<Place>& places)
 {
-  Place periods[2];
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    Index last{ { 0, 0, 0 } };
-    last[axis] = this->Sizes[axis] - 1;
-    Index before = last;
-    --before[axis];
-    for (int c = 0; c < 3; ++c)
-    {
-      const double end = places[this->Number(last)][c];
-      periods[axis][c] =
-        end - places[0][c] + (this->Meet[axis] ? 0 : end - places[this->Number(before)][c]);
-    }
-  }
+  const Place periods[2] = { this->Period(0, places), this->Period(1, places) };
   const Index extent = this->Extent();
   const int widths[2] = { (extent[0] - 1) / this->Copies[0], (extent[1] - 1) / this->Copies[1] };
   const auto sourceOf = [&](const Index& at) {

@@ -45,9 +45,11 @@ private:
   void ForSides(int axis, Body body) const;
   std::size_t Number(const Index& at) const;
   Index Extent() const;
+  Place Period(int axis, const std::vector<Place>& places) const;
   void Make(const std::vector<Place>& places);
 
   UprightOrder Order;
+  Place Up{ { 0, 0, 1 } };
   Index Sizes{ { 0, 0, 0 } };                   // of the data
   std::array<bool, 2> Meet{ { false, false } }; // sides along an axis are the same points
   std::array<int, 2> Copies{ { 1, 1 } };        // to an even number of cells: tetrahedra fit

@@ -14,9 +14,9 @@ def light_by_place(parts, name):
 
 
 one, two = (arrays_of_ranks("SunlightRun.py", "sunlight", ranks) for ranks in (1, 2))
-for name in ("mesh", "blocks", "ground"):
+for name in ("mesh", "blocks", "ground", "below"):
     expected, found = light_by_place(one, name), light_by_place(two, name)
-    if expected.keys() != found.keys() or not all(0 < len(part[name]) < 0.8 * len(expected) for part in two if name != "ground"):
+    if expected.keys() != found.keys() or not all(0 < len(part[name]) < 0.8 * len(expected) for part in two if name in ("mesh", "blocks")):
         sys.exit(f"{name}: {len(expected)} points on one rank, {[len(part[name]) for part in two]} on two")
     differences = np.max([np.abs(row[3:] - expected[tuple(row[:3])]) for part in two for row in part[name]], axis=0)
     darkest = min(row[2] for row in expected.values())

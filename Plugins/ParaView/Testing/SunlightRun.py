@@ -41,5 +41,10 @@ mesh = pvs.Sunlight(Input=pvs.AppendDatasets(Input=cells), SunDirection=SUN)
 blocks = pvs.Sunlight(Input=pvs.GroupDatasets(Input=[lumps[0], cells[1]]), SunDirection=SUN)
 ground = pvs.Plane(Origin=[-16, -16, -6], Point1=[16, -16, -6], Point2=[-16, 16, -6], XResolution=32, YResolution=32)
 shaded = pvs.Sunlight(Input=ground, Clouds=mesh, SunDirection=SUN)
-np.savez(f"{sys.argv[1]}-{rank}.npz", mesh=rows(mesh), blocks=rows(blocks), ground=rows(shaded))
+half = pvs.Clip(Input=cells[0], ClipType="Plane")  # on two ranks, the first one has the ground alone
+half.ClipType.Origin, half.ClipType.Normal, half.Invert = [0, 1, 0], [0, 1, 0], 0
+upright = pvs.Sunlight(Input=half, Up=[0, 1, 0], SunDirection=[0.5, 2, 0.3])
+wall = pvs.Plane(Origin=[-16, -12, -16], Point1=[16, -12, -16], Point2=[-16, -12, 16], XResolution=32, YResolution=32)
+below = pvs.Sunlight(Input=wall, Clouds=upright, SunDirection=[0.5, 2, 0.3])
+np.savez(f"{sys.argv[1]}-{rank}.npz", mesh=rows(mesh), blocks=rows(blocks), ground=rows(shaded), below=rows(below))
 print("RANK-DONE", flush=True)

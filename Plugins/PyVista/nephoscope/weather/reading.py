@@ -133,7 +133,8 @@ class Reading:
         size, axis = self.dataset.sizes[dim], self.dataset.variables.get(dim)
         fields = [variable for _, variable in self._numbers() if dim in variable.dims]
         first = next((i for i in range(size) if any(np.isfinite(_numbers(field.isel({dim: i}).values)).any() for field in fields)), 0)
-        told = "" if axis is None else f" ({axis.values[first]:g})"
+        value = None if axis is None else axis.values[first]
+        told = "" if axis is None else f" ({value:g})" if axis.dtype.kind in "iuf" else f" ({value})"
         if size > 1:
             self.warn(f"{dim!r} has {size} layers, which may overlap. The first with values is used, number {first}{told}. Choose one: ds.isel({dim}={first}).")
         self.dataset = self.dataset.isel({dim: first})
