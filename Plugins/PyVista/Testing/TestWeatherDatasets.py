@@ -1,16 +1,19 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.open and dataset.nephoscope on xarray datasets: places, heights, winds, units and what is refused."""
+import importlib
 import subprocess
 import sys
 import tempfile
 import unittest
 import warnings
 from pathlib import Path
+from unittest import mock
 
 import nephoscope
 import numpy as np
 import xarray as xr
+from nephoscope.weather import extras
 from weather_data import GAS, GRAVITY, RADIUS, frames, isothermal, rotation
 
 LON, LAT = np.arange(0, 360, 15.0), np.arange(-80, 81, 10.0)
@@ -253,6 +256,17 @@ class Opening(unittest.TestCase):
             self.assertIn("WeatherAccessor", told.stdout, told.stderr)
         told = subprocess.run([sys.executable, "-c", "import sys, nephoscope; print('xarray' in sys.modules, 'eccodes' in sys.modules)"], capture_output=True, text=True)
         self.assertEqual(told.stdout.split(), ["False", "False"], told.stderr)
+
+    def test_proj_before_eccodes(self):
+        """Beside VTK of the package index, `open` loads pyproj before xarray imports eccodes, whose PROJ would end the process; beside Debian's VTK, which has a PROJ too, it does not."""
+        real, seen = importlib.import_module, []
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "data.nc")
+            isothermal(LON, LAT).to_netcdf(path)
+            for from_pypi in (True, False):
+                with mock.patch.object(extras, "FROM_PYPI", from_pypi), mock.patch.object(importlib, "import_module", lambda name, *more: seen.append((name, from_pypi)) if name == "pyproj" else real(name, *more)):
+                    nephoscope.open(path).close()
+        self.assertEqual(seen, [("pyproj", True)])
 
     def test_eccodes_before_and_after(self):
         """Its libraries hide symbols of VTK's and of the system: no order ends in a crash, neither at a scalar bar nor when Python ends."""

@@ -6,7 +6,7 @@ import importlib
 import importlib.util
 import sys
 
-from .._libraries import own_symbols
+from .._libraries import INTRUDER, own_symbols
 from .._modules import FROM_PYPI
 from ..samples import requirements
 
@@ -31,6 +31,14 @@ def load_netcdf_of_vtk() -> None:
     """Loads VTK's NetCDF with the libraries of the system before eccodes, which xarray imports when it opens a file, or with its own symbols after eccodes: `_libraries` tells why."""
     with contextlib.suppress(ImportError), own_symbols():
         importlib.import_module("vtkmodules.vtkIONetCDF")
+
+
+def load_proj() -> None:
+    """Loads pyproj, if it is installed, before eccodes or with its own symbols: xarray imports eccodes, and then others' readers import pyproj, which would find PROJ's symbols in eckitlib and end the
+    process when Python ends. Only beside VTK of the Python package index: Debian's has another PROJ (see `proj.py`)."""
+    if FROM_PYPI and importlib.util.find_spec(INTRUDER) is not None:
+        with contextlib.suppress(ImportError), own_symbols():
+            importlib.import_module("pyproj")
 
 
 def _told(module: str, purpose: str, missing) -> ModuleNotFoundError:

@@ -11,7 +11,7 @@ from typing import Any, Sequence
 from .._typing import WeatherDataset
 from .accessor import register
 from .dates import with_dates
-from .extras import need
+from .extras import load_proj, need
 from .foreign import first_bytes, format_of, inside, refusal
 
 
@@ -62,6 +62,7 @@ def open(path: Any, *, grid: int | None = None, mesh: Any = None, chunks: Any = 
         return path.to_dataset(name=path.name or "field")
     paths = _paths(path)
     kinds = {_kind(found) for found in paths}
+    load_proj()
     if len(kinds) > 1:
         raise ValueError(f"The files have several formats, {', '.join(sorted(kinds))}: open them one by one.")
     dataset = {"GRIB": _open_grib, "NetCDF": _open_netcdf, "Zarr": _open_zarr}[kinds.pop()](paths, grid, chunks, options)
