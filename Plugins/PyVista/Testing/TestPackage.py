@@ -75,11 +75,6 @@ class Package(unittest.TestCase):
             result = run(ask)
             self.assertIn("True True", result.stdout, result.stderr)
 
-    def test_help_without_pyvista(self):
-        result = run(WITHOUT_PYVISTA + "help(nephoscope)")
-        self.assertIn("class vtkGlobeGrid", result.stdout, result.stderr)
-        self.assertEqual(result.returncode, 0)
-
     def test_missing_pyvista_is_said_with_the_remedy(self):
         result = run(WITHOUT_PYVISTA + "nephoscope.vtkGlobeGrid()\nnephoscope.add_cells")
         self.assertIn("nephoscope.add_cells needs PyVista", result.stderr)

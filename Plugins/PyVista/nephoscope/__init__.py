@@ -153,7 +153,7 @@ def __getattr__(name):
 
 
 def __dir__():
-    return sorted({*globals(), *VTK_FUNCTIONS, *(PYVISTA_FUNCTIONS if _has_pyvista() else ())})  # help() gets every name
+    return sorted({*globals(), *VTK_FUNCTIONS, *PYVISTA_FUNCTIONS})
 
 
 _importlib.import_module(".override", __name__).read_environment()

@@ -112,7 +112,7 @@ def converted(values: np.ndarray, units: object, quantity: str, name: str) -> tu
 _RANGES = {"temperature": ("temperature", (90, 400), (150, 345), ("K", "degC")), "potential_temperature": ("temperature", (150, np.inf), (200, 600), ("K", "degC")),
            "surface_pressure": ("pressure", (2e4, 1.2e5), (7e4, 1.1e5), ("Pa", "hPa", "kPa")), "pressure": ("pressure", (0, 2e5), (0, 1.1e5), ("Pa", "hPa", "kPa")),
            "relative_humidity": ("fraction", (-1, 5), (-0.05, 1.6), ("1", "%")),
-           **{role: ("mass fraction", (-1, 0.2), (-1e-3, 0.05), ("kg kg-1", "g kg-1")) for role in ("specific_humidity", "mixing_ratio")}}
+           **{role: ("mass fraction", (-1, 1), (-1e-3, 0.05), ("kg kg-1", "g kg-1")) for role in ("specific_humidity", "mixing_ratio")}}
 CHECKED = tuple(_RANGES)
 _SAMPLE = 20000  # values that are looked at
 _LEAST_RANGE = 60.0  # K: temperatures in a column of air vary more; differences of temperatures, also in K, vary less
