@@ -6,7 +6,6 @@
 #include "BlocksWithArray.h"
 #include "CloudShadow.h"
 #include "DataSets.h"
-#include "DirectionalLight.h"
 #include "EmptyInput.h"
 #include "InputBlocks.h"
 #include "LitData.h"
@@ -21,8 +20,6 @@
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
 #include "vtkDataSet.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkGenericCell.h"
 #include "vtkInformation.h"
@@ -155,20 +152,6 @@ bool vtkSunlight::IsSurfaceBelowClouds(vtkDataSet* data)
   return true;
 }
 
-// Light straight from the sun is scattered with the whole phase function, that which has been scattered straight on before with what makes two scatterings exact (README.md).
-double vtkSunlight::PhaseTowardsEye(const Work& work, std::size_t p, double cosine) const
-{
-  const double scaled = work.Asymmetry[p], light = std::exp(-double(work.ScaledDepth[p]));
-  if (!this->MultipleScattering || !(light > 0))
-  {
-    return nephoscope::henyeyGreenstein(scaled, cosine);
-  }
-  const double whole = scaled / (1 - scaled); // the asymmetry parameter that was scaled
-  const double straight = std::min(work.Transmittance[p] / light, 1.0);
-  return straight * nephoscope::henyeyGreenstein(whole, cosine) / (1 - whole * whole) +
-    (1 - straight) * nephoscope::afterForwardScattering(whole, cosine);
-}
-
 // Irradiance from the sky, which fades with twilight.
 float vtkSunlight::SkyAt(const std::array<double, 3>& place, const Work& work) const
 {
@@ -279,67 +262,6 @@ bool vtkSunlight::Shade(Work& work)
     return false;
   }
   return true;
-}
-
-void vtkSunlight::Write(vtkDataSet* data, const Work& work)
-{
-  vtkFloatArray* light = addPointArray(data, "Sunlight");
-  vtkFloatArray* extinction = addPointArray(data, "ScaledExtinction");
-  vtkFloatArray* transmittance = addPointArray(data, "SunTransmittance");
-  vtkFloatArray* irradiance = addPointArray(data, "Irradiance");
-  vtkFloatArray* upward = addPointArray(data, "UpwardIrradiance");
-  vtkFloatArray* absorbed = addPointArray(data, "AbsorbedLight");
-  nephoscope::inParallel(data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType p = begin; p < end; ++p)
-    {
-      double beam = 1, flux = 0;
-      const double shadow = work.Shadow.empty() ? 1.0 : work.Shadow[p];
-      const double sunlight = shadow * std::exp(-work.ScaledDepth[p]);
-      if (this->UseViewPosition && !this->FollowCamera)
-      {
-        std::array<double, 3> toEye = { { this->ViewPosition[0], this->ViewPosition[1],
-          this->ViewPosition[2] } };
-        for (int c = 0; c < 3 && !this->ParallelView; ++c)
-        {
-          toEye[c] -= work.Places[p][c];
-        }
-        const double length = std::max(std::sqrt(dot(toEye, toEye)), 1e-300);
-        beam = this->PhaseTowardsEye(work, p, -dot(toEye, work.Sun) / length);
-        flux = 3 * work.Asymmetry[p] *
-          (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) /
-          length;
-      }
-      const double source =
-        0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + flux, 0.0) + beam * sunlight);
-      extinction->SetValue(p, work.Scaled[p]);
-      transmittance->SetValue(p, static_cast<float>(shadow * work.Transmittance[p]));
-      const std::array<double, 3> up = work.Planet.UpAt(work.Places[p]);
-      const bool isBelow = this->OnSurface && !work.BelowClouds.empty() && work.BelowClouds[p] >= 0;
-      const double arriving =
-        isBelow ? work.BelowClouds[p] : std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p];
-      irradiance->SetValue(p, static_cast<float>(arriving));
-      light->SetValue(p, static_cast<float>(this->OnSurface ? arriving : source));
-      upward->SetValue(p, work.Up[p]);
-      absorbed->SetValue(p, work.Absorbed[p]);
-    }
-  });
-  if (this->FollowCamera)
-  {
-    nephoscope::addDirectionalLight(data,
-      { work.Extinction, work.Albedo, work.Asymmetry, work.Transmittance, work.ScaledDepth,
-        work.Shadow, work.Flux, this->MultipleScattering },
-      static_cast<nephoscope::PhaseKind>(this->PhaseFunction));
-  }
-  data->GetPointData()->SetActiveScalars("Sunlight");
-  const auto addDirection = [data](const char* name, const std::array<double, 3>& direction) {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(3);
-    array->InsertNextTuple(direction.data());
-    data->GetFieldData()->AddArray(array);
-  };
-  addDirection("SunDirection", work.Sun);
-  addDirection("Up", work.Planet.Up);
 }
 
 // All that the light depends on, except the data and the eye.

@@ -42,6 +42,8 @@ bool vtkSunlight::LightRepeated(vtkDataSet* data, Work& work)
   };
   take(whole.Extinction, work.Extinction);
   take(whole.Scaled, work.Scaled);
+  take(whole.Albedo, work.Albedo);
+  take(whole.Asymmetry, work.Asymmetry);
   take(whole.Transmittance, work.Transmittance);
   take(whole.ScaledDepth, work.ScaledDepth);
   take(whole.Shadow, work.Shadow);
