@@ -11,6 +11,7 @@
 #include "vtkCamera.h"
 #include "vtkProp3D.h"
 #include "vtkPropCollection.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 
@@ -219,10 +220,17 @@ bool coversSurfaces(vtkRenderer* renderer, vtkVolume* volume)
   return false;
 }
 
+// ParaView draws the first picture of a view twice, at first without peeling.
+bool isSetToPeel(vtkRenderer* renderer)
+{
+  return renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes() &&
+    renderer->GetRenderWindow()->GetMultiSamples() == 0;
+}
+
 void warnAboutSurfaces(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   const bool covers = VolumeOrder::IsDrawn(volume) && !VolumePeel::IsRequested(volume) &&
-    coversSurfaces(renderer, volume);
+    !isSetToPeel(renderer) && coversSurfaces(renderer, volume);
   bool isNew = false;
   {
     const std::lock_guard<std::mutex> lock(partsMutex);

@@ -207,6 +207,22 @@ def check_moved_slice(messages):
         clear(view)
 
 
+def check_first_picture(messages):
+    """A new view draws its first picture twice, at first without peeling, which it is set to do: no warning."""
+    view = pvs.CreateRenderView(ViewSize=[40, 40])
+    wavelet = pvs.Wavelet(WholeExtent=[-4, 4] * 3)
+    splats = pvs.Show(pvs.Gradient(Input=wavelet, ScalarArray=["POINTS", "RTData"]), view)
+    splats.SetRepresentationType("Textured Splats")
+    pvs.ColorBy(splats, ("POINTS", "RTData"))
+    surface = pvs.Show(pvs.CloudSurface(Input=wavelet), view)
+    surface.SetRepresentationType("Cloud Texture")
+    splats.TexturedSplatsVectorArray, splats.Position, surface.Position = "Gradient", [10, 0, 0], [-10, 0, 0]
+    messages.clear()
+    pvs.Render(view)
+    check(messages == [], f"first picture: {messages}")
+    pvs.Delete(view)
+
+
 def check_opacity_of_other_range(messages):
     """The function of the coloured array, 37 to 277, reads an array from 5 to 8."""
     source = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-4, 4] * 3), ResultArrayName="V", Function="5+0.1*(coordsX+4)+0.2*(coordsY+4)")
@@ -245,6 +261,7 @@ def check_light(messages):
 
 def main():
     messages = listen()
+    check_first_picture(messages)
     check_nothing_to_draw(messages)
     check_moved_slice(messages)
     check_contours_of_cells(messages)
