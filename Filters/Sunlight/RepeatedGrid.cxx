@@ -136,7 +136,8 @@ void RepeatedGrid::Make(const std::vector<Place>& places)
   });
   this->Numbers.resize(places.size());
   forPoints(this->Sizes, [&](const Index& at) {
-    this->Numbers[this->Order.NumberOf(this->Number(at))] = firstCopy[sourceOf(at)];
+    this->Numbers[this->Order.NumberOf(this->Number(at))] =
+      static_cast<std::int32_t>(firstCopy[sourceOf(at)]);
   });
   this->Grid = vtkSmartPointer<vtkStructuredGrid>::New();
   this->Grid->SetDimensions(extent.data());

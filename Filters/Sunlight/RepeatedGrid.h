@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace nephoscope
@@ -35,8 +36,8 @@ public:
   /** Values at the points of this grid. Values of sides that are the same points are averaged. */
   std::vector<float> Of(std::vector<float> values) const;
 
-  /** The number in this grid of a point of the data. */
-  std::size_t NumberOf(std::size_t point) const { return this->Numbers[point]; }
+  /** The numbers in this grid of the points of the data. */
+  const std::vector<std::int32_t>& GetNumbers() const { return this->Numbers; }
 
 private:
   using Index = std::array<int, 3>;
@@ -54,8 +55,8 @@ private:
   std::array<bool, 2> Meet{ { false, false } }; // sides along an axis are the same points
   std::array<int, 2> Copies{ { 1, 1 } };        // to an even number of cells: tetrahedra fit
   vtkSmartPointer<vtkStructuredGrid> Grid;
-  std::vector<std::size_t> Sources,
-    Numbers; // of points of this grid in the ordered data, and the other way round
+  std::vector<std::size_t> Sources; // of points of this grid, in the ordered data
+  std::vector<std::int32_t> Numbers;
 };
 }
 

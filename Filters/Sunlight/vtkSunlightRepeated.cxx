@@ -8,6 +8,8 @@
 
 #include "vtkDataSet.h"
 
+#include <utility>
+
 bool vtkSunlight::LightRepeated(vtkDataSet* data, Work& work)
 {
   const nephoscope::RepeatedGrid repeated(
@@ -33,25 +35,8 @@ bool vtkSunlight::LightRepeated(vtkDataSet* data, Work& work)
   {
     return false;
   }
-  const auto take = [&](const auto& from, auto& to) {
-    to.resize(from.empty() ? 0 : work.Places.size());
-    for (std::size_t p = 0; p < to.size(); ++p)
-    {
-      to[p] = from[repeated.NumberOf(p)];
-    }
-  };
-  take(whole.Extinction, work.Extinction);
-  take(whole.Scaled, work.Scaled);
-  take(whole.Albedo, work.Albedo);
-  take(whole.Asymmetry, work.Asymmetry);
-  take(whole.Transmittance, work.Transmittance);
-  take(whole.ScaledDepth, work.ScaledDepth);
-  take(whole.Shadow, work.Shadow);
-  take(whole.BelowClouds, work.BelowClouds);
-  take(whole.Fluence, work.Fluence);
-  take(whole.Up, work.Up);
-  take(whole.Down, work.Down);
-  take(whole.Absorbed, work.Absorbed);
-  take(whole.Flux, work.Flux);
+  Work light = whole.At(repeated.GetNumbers());
+  light.Places = std::move(work.Places);
+  work = std::move(light);
   return true;
 }
