@@ -21,6 +21,8 @@ struct DirectionSweep::Cone
   std::size_t First, Count; // directions
   float Z, Weight;
   std::vector<float> Fluence, X, Y; // of their light
+  std::vector<float> Even, Slopes[2],
+    Scale; // of the sources in a plane: all directions' part, along x and y
   // For each direction, in this plane and in that upstream.
   std::vector<std::vector<float>> Radiance[2], Emission[2];
 
@@ -33,6 +35,11 @@ struct DirectionSweep::Cone
     for (std::vector<float>* one : { &this->Fluence, &this->X, &this->Y })
     {
       one->assign(grid.Points(), 0.0f);
+    }
+    for (std::vector<float>* one :
+      { &this->Even, &this->Slopes[0], &this->Slopes[1], &this->Scale })
+    {
+      one->resize(grid.Columns());
     }
     for (const int side : { 0, 1 })
     {
@@ -113,15 +120,23 @@ void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) cons
   {
     const std::size_t p = first + q;
     const Vector& flux = known.Flux[p];
-    const float forward = 3 * this->Grid.Asymmetry[p],
-                all = known.Fluence[p] + forward * cone.Z * flux[2],
-                scale = this->Grid.Extinction[p] * this->Grid.Albedo[p] / (4 * pi);
-    for (std::size_t d = 0; d < cone.Count; ++d)
+    const float forward = 3 * this->Grid.Asymmetry[p];
+    cone.Even[q] = known.Fluence[p] + forward * cone.Z * flux[2];
+    cone.Slopes[0][q] = forward * flux[0];
+    cone.Slopes[1][q] = forward * flux[1];
+    cone.Scale[q] = this->Grid.Extinction[p] * this->Grid.Albedo[p] / (4 * pi);
+  }
+  const float *even = cone.Even.data(), *slopeX = cone.Slopes[0].data(),
+              *slopeY = cone.Slopes[1].data(), *scale = cone.Scale.data();
+  for (std::size_t d = 0; d < cone.Count; ++d)
+  {
+    const Direction& to = this->Directions[cone.First + d];
+    const float* beam = &this->Beams[cone.First + d][first];
+    float* __restrict emission = cone.Emission[0][d].data();
+    for (std::size_t q = 0; q < columns; ++q)
     {
-      const Direction& to = this->Directions[cone.First + d];
-      const float source =
-        all + forward * (to.X * flux[0] + to.Y * flux[1]) + this->Beams[cone.First + d][p];
-      cone.Emission[0][d][q] = std::max(source, 0.0f) * scale;
+      const float source = even[q] + to.X * slopeX[q] + to.Y * slopeY[q] + beam[q];
+      emission[q] = std::max(source, 0.0f) * scale[q];
     }
   }
 }

@@ -15,7 +15,7 @@
 
 namespace nephoscope
 {
-class GridRays : public SunPaths
+class GridRays : public SunPathsOfPoints
 {
 public:
   /** Cells that are hidden let light through; empty: none are. */

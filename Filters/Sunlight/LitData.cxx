@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LitData.h"
 
+#include "EvenRays.h"
 #include "GridRays.h"
 #include "OwnThreads.h"
 #include "SunMesh.h"
@@ -248,6 +249,10 @@ std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>&
     mayCoincide ? mergedPoints(places) : std::vector<std::int32_t>();
   std::vector<SunPoint> points = sunPoints(places, fields, merged, sun, loop);
   const ChessboardGrid grid = findChessboardGrid(data);
+  if (!repeats && !hidden.HasAny() && EvenRays::Fits(grid, points))
+  {
+    return std::make_unique<EvenRays>(grid, points);
+  }
   auto rays =
     std::make_unique<GridRays>(grid, grid.IsEmpty() ? std::vector<bool>() : hidden.Flags(data));
   if (repeats)

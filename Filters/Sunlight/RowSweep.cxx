@@ -59,13 +59,23 @@ void findPiecesFrom(
 }
 }
 
+void RowSweep::FindAxes(int low, int count)
+{
+  const float *x = this->Rates[0] + low, *y = this->Rates[1] + low, *z = this->Rates[2] + low;
+  const float slopeX = this->Slopes[0], slopeY = this->Slopes[1], slopeZ = this->Slopes[2];
+  std::int32_t* __restrict along = this->Along.data() + low;
+  for (int i = 0; i < count; ++i)
+  {
+    const float across = std::max(slopeX * x[i], slopeY * y[i]);
+    const std::int32_t beside = slopeX * x[i] >= slopeY * y[i] ? 0 : 1;
+    along[i] = slopeZ * z[i] >= across ? 2 : beside;
+  }
+}
+
 void RowSweep::Run(int first, int count, int forward, std::ptrdiff_t upstream)
 {
   const int low = forward > 0 ? first : first - count + 1;
-  for (int i = low; i < low + count; ++i)
-  {
-    this->Along[i] = static_cast<signed char>(this->AxisAt(i));
-  }
+  this->FindAxes(low, count);
   const SweepRow points[8] = { this->Here, this->Here.Moved(upstream), this->Beside,
     this->Beside.Moved(upstream), this->Before, this->Before.Moved(upstream), this->Diagonal,
     this->Diagonal.Moved(upstream) };

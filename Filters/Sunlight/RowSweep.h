@@ -67,15 +67,10 @@ public:
   void Run(int first, int count, int forward, std::ptrdiff_t upstream);
 
 private:
-  int AxisAt(int i) const
-  {
-    const float x = this->Slopes[0] * this->Rates[0][i], y = this->Slopes[1] * this->Rates[1][i],
-                z = this->Slopes[2] * this->Rates[2][i];
-    return z >= x && z >= y ? 2 : x >= y ? 0 : 1;
-  }
+  void FindAxes(int low, int count);
 
   std::vector<float> Factor, Rest;
-  std::vector<signed char> Along;
+  std::vector<std::int32_t> Along; // the axis of the plane that the way to each point last crosses
 };
 }
 

@@ -80,8 +80,25 @@ class SunPaths
 {
 public:
   virtual ~SunPaths() = default;
-  /** Integrals of the fields from the point to the exit of its path from the mesh, or to the last cloud. */
+  /** Integrals of the fields from points [first, last) to the exit of their paths from the mesh, or to the last cloud. */
+  virtual void FindDepths(
+    std::int32_t first, std::int32_t last, std::array<double, 2>* depths) const = 0;
+};
+
+/** Paths that are found point by point. */
+class SunPathsOfPoints : public SunPaths
+{
+public:
   virtual std::array<double, 2> DepthsFrom(std::int32_t point) const = 0;
+
+  void FindDepths(
+    std::int32_t first, std::int32_t last, std::array<double, 2>* depths) const override
+  {
+    for (std::int32_t point = first; point < last; ++point)
+    {
+      *depths++ = this->DepthsFrom(point);
+    }
+  }
 };
 
 /** Point numbers that are equal for coincident points: seams and poles. */

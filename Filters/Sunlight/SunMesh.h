@@ -9,7 +9,7 @@
 
 namespace nephoscope
 {
-class SunMesh : public SunPaths
+class SunMesh : public SunPathsOfPoints
 {
 public:
   using Tetrahedron = std::array<std::int32_t, 4>;

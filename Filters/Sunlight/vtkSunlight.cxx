@@ -219,15 +219,23 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
     nephoscope::sunPathsOf(data, work.Places, fields, work.Sun, work.Repeats);
   work.Transmittance.assign(fields.size(), 0.0f);
   work.ScaledDepth.assign(fields.size(), nephoscope::LightGrid::Night);
+  const auto isLit = [&](
+                       vtkIdType p) { return !isInShadow(work.Planet, work.Places[p], work.Sun); };
   const auto trace = [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType p = begin; p < end; ++p)
+    std::vector<std::array<double, 2>> depths;
+    for (vtkIdType p = begin, next = begin; p < end; p = next + 1)
     {
-      if (!isInShadow(work.Planet, work.Places[p], work.Sun))
+      for (next = p; next < end && isLit(next); ++next)
       {
-        const std::array<double, 2> depths = paths->DepthsFrom(static_cast<std::int32_t>(p));
-        work.Transmittance[p] = static_cast<float>(std::exp(-depths[0]));
-        work.ScaledDepth[p] =
-          static_cast<float>(std::min(depths[1], 0.99 * nephoscope::LightGrid::Night));
+      }
+      depths.resize(next - p);
+      paths->FindDepths(
+        static_cast<std::int32_t>(p), static_cast<std::int32_t>(next), depths.data());
+      for (const auto& [extinction, scaled] : depths)
+      {
+        work.Transmittance[p] = static_cast<float>(std::exp(-extinction));
+        work.ScaledDepth[p++] =
+          static_cast<float>(std::min(scaled, 0.99 * nephoscope::LightGrid::Night));
       }
     }
   };
