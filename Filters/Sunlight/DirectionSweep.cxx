@@ -287,6 +287,7 @@ void DirectionSweep::Run(const DiffuseField& known, DiffuseField& found)
         found.Flux[p][0] += cone.X[p];
         found.Flux[p][1] += cone.Y[p];
         found.Flux[p][2] += cone.Z * cone.Fluence[p];
+        found.SecondMoment[p] += secondLegendre(cone.Z) * cone.Fluence[p];
         found.Vertical[p] += std::abs(cone.Z) * cone.Fluence[p];
       }
     }

@@ -34,13 +34,15 @@ double meanAsymmetry(const DirectionalSource& source)
 void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, PhaseKind kind)
 {
   const vtkIdType count = data->GetNumberOfPoints();
-  vtkNew<vtkFloatArray> single, flux, phase;
+  vtkNew<vtkFloatArray> single, flux, moment, phase;
   single->SetName("SingleScattering");
   single->SetNumberOfComponents(2);
   single->SetNumberOfTuples(count);
   flux->SetName("DiffuseFlux");
   flux->SetNumberOfComponents(3);
   flux->SetNumberOfTuples(count);
+  moment->SetName("DiffuseSecondMoment");
+  moment->SetNumberOfTuples(count);
   inParallel(count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType p = begin; p < end; ++p)
     {
@@ -50,6 +52,10 @@ void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, Phas
       const float light = 0.25f * source.Albedo[p] * shadow;
       single->SetTypedComponent(p, 0, light * direct);
       single->SetTypedComponent(p, 1, light * (scaled - direct));
+      moment->SetValue(p,
+        source.SecondMoment.empty() ? 0.0f
+                                    : 0.25f * source.Albedo[p] *
+            secondMomentFactor(source.Asymmetry[p]) * source.SecondMoment[p]);
       const float forward = 0.75f * source.Albedo[p] * source.Asymmetry[p];
       for (int c = 0; c < 3; ++c)
       {
@@ -67,6 +73,7 @@ void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, Phas
   }
   data->GetPointData()->AddArray(single);
   data->GetPointData()->AddArray(flux);
+  data->GetPointData()->AddArray(moment);
   data->GetFieldData()->AddArray(phase);
 }
 }

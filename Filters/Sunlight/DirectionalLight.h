@@ -23,12 +23,13 @@ struct DirectionalSource
   const std::vector<float>& ScaledDepth;
   const std::vector<float>& Shadow;
   const std::vector<Vector>& Flux;
+  const std::vector<float>& SecondMoment; ///< empty: 0, as the flux
   bool Scales;
 };
 
 /**
  * Adds point arrays to data that have Sunlight, the mean over all directions: SingleScattering (light straight from the sun; light that has been scattered
- * straight on before) and DiffuseFlux; and the field array PhaseFunction, factors of the two from 0 to 180 degrees.
+ * straight on before), DiffuseFlux and DiffuseSecondMoment; and the field array PhaseFunction, factors of the two from 0 to 180 degrees.
  */
 void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, PhaseKind kind);
 }

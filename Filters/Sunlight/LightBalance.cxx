@@ -38,6 +38,7 @@ void DiffuseField::Clear(std::size_t points)
   this->Fluence.assign(points, 0.0f);
   this->Flux.assign(points, Vector{ { 0, 0, 0 } });
   this->Vertical.assign(points, 0.0f);
+  this->SecondMoment.assign(points, 0.0f);
 }
 
 LightBalance::LightBalance(
@@ -300,6 +301,7 @@ void LightBalance::WritePoint(
   field.Fluence[p] = static_cast<float>(here);
   field.Vertical[p] = static_cast<float>(
     0.5 * here + (ordinates ? trust * (ordinates->Vertical[p] - 0.5 * ordinates->Fluence[p]) : 0));
+  field.SecondMoment[p] = static_cast<float>(ordinates ? trust * ordinates->SecondMoment[p] : 0);
   const std::size_t columns = this->Grid.Columns(), top = this->Grid.Points() - columns;
   const double white = this->Grid.GroundAlbedo;
   if (p >= top)
@@ -333,6 +335,7 @@ void LightBalance::CloseSeams(DiffuseField& field) const
   this->Grid.CloseSeams(field.Fluence);
   this->Grid.CloseSeams(field.Flux);
   this->Grid.CloseSeams(field.Vertical);
+  this->Grid.CloseSeams(field.SecondMoment);
 }
 
 // Negative values in a column are repeatedly balanced by the columns beside it.

@@ -16,12 +16,13 @@
 
 namespace nephoscope
 {
-/** Fluence, flux along the axes, and flux up plus flux down of the diffuse light. */
+/** Fluence, flux along the axes, flux up plus flux down, and the second moment of the diffuse light: the integral of P2(z), a Legendre polynomial, over directions. */
 struct DiffuseField
 {
   std::vector<float> Fluence;
   std::vector<Vector> Flux;
   std::vector<float> Vertical;
+  std::vector<float> SecondMoment;
 
   void Clear(std::size_t points);
   float Up(std::size_t p) const { return 0.5f * (this->Vertical[p] + this->Flux[p][2]); }

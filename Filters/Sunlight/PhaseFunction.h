@@ -23,6 +23,20 @@ struct ScaledMedium
   double Extinction, Albedo, Asymmetry;
 };
 
+/** That of a Henyey-Greenstein function, for light of a second moment 1. */
+template <typename Number>
+inline Number secondMomentFactor(Number asymmetry)
+{
+  return 5 * asymmetry * asymmetry;
+}
+
+/** The Legendre polynomial P2. */
+template <typename Number>
+inline Number secondLegendre(Number x)
+{
+  return (3 * x * x - 1) / 2;
+}
+
 inline ScaledMedium scaled(double extinction, double albedo, double asymmetry)
 {
   const double forward = asymmetry * asymmetry;

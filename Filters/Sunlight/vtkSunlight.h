@@ -20,10 +20,10 @@
  * - AbsorbedLight, 1/m: power that becomes heat, per volume; 0 if only the sun's beam is computed.
  *
  * With FollowCamera further arrays, from which mappers compute the light towards the camera, d being the direction in which it goes and P and Q the two factors in PhaseFunction for
- * the angle between d and sunlight: Sunlight + d . DiffuseFlux + (P - 1) SingleScattering[0] + (Q - 1) SingleScattering[1].
+ * the angle between d and sunlight: Sunlight + d . DiffuseFlux + P2(d . up) DiffuseSecondMoment + (P - 1) SingleScattering[0] + (Q - 1) SingleScattering[1].
  * - SingleScattering, two components: light of the sun's beam, times a quarter of the albedo, without a phase function: of light straight from the sun, and of light that has been
  *   scattered before, but straight on.
- * - DiffuseFlux, three components.
+ * - DiffuseFlux, three components, and DiffuseSecondMoment: how much of the diffuse light comes from above and below rather than from the sides. P2 is the Legendre polynomial.
  * - PhaseFunction, field data: P and Q at angles from 0 to 180 degrees.
  *
  * Smoke, as vtkFlowVolume and vtkSmokePuffs write it, gets extinction, albedo and asymmetry of its own (SmokeOptics.h), unless another array is named.

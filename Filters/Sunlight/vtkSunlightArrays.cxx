@@ -48,7 +48,8 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
   nephoscope::inParallel(data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType p = begin; p < end; ++p)
     {
-      double beam = 1, flux = 0;
+      const std::array<double, 3> up = work.Planet.UpAt(work.Places[p]);
+      double beam = 1, directed = 0; // of diffuse light, that which depends on the direction
       const double shadow = work.Shadow.empty() ? 1.0 : work.Shadow[p];
       const double sunlight = shadow * std::exp(-work.ScaledDepth[p]);
       if (this->UseViewPosition && !this->FollowCamera)
@@ -61,15 +62,16 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
         }
         const double length = std::max(std::sqrt(dot(toEye, toEye)), 1e-300);
         beam = this->PhaseTowardsEye(work, p, -dot(toEye, work.Sun) / length);
-        flux = 3 * work.Asymmetry[p] *
-          (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) /
-          length;
+        directed = 3 * work.Asymmetry[p] *
+            (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) /
+            length +
+          nephoscope::secondMomentFactor(work.Asymmetry[p]) *
+            nephoscope::secondLegendre(dot(toEye, up) / length) * work.SecondMoment[p];
       }
       const double source =
-        0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + flux, 0.0) + beam * sunlight);
+        0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + directed, 0.0) + beam * sunlight);
       extinction->SetValue(p, work.Scaled[p]);
       transmittance->SetValue(p, static_cast<float>(shadow * work.Transmittance[p]));
-      const std::array<double, 3> up = work.Planet.UpAt(work.Places[p]);
       const bool isBelow = this->OnSurface && !work.BelowClouds.empty() && work.BelowClouds[p] >= 0;
       const double arriving =
         isBelow ? work.BelowClouds[p] : std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p];
@@ -83,7 +85,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
   {
     nephoscope::addDirectionalLight(data,
       { work.Extinction, work.Albedo, work.Asymmetry, work.Transmittance, work.ScaledDepth,
-        work.Shadow, work.Flux, this->MultipleScattering },
+        work.Shadow, work.Flux, work.SecondMoment, this->MultipleScattering },
       static_cast<nephoscope::PhaseKind>(this->PhaseFunction));
   }
   data->GetPointData()->SetActiveScalars("Sunlight");

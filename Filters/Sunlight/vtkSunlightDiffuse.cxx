@@ -69,6 +69,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   for (std::size_t p = 0; p < grid.Points(); ++p)
   {
     const std::size_t q = axes.Order.NumberOf(p);
+    work.SecondMoment[q] = light.Field.SecondMoment[p];
     work.Absorbed[q] = light.Absorption[p];
     work.Fluence[q] = std::max(light.Field.Fluence[p], 0.0f);
     work.Up[q] = std::max(light.Field.Up(p), 0.0f);
@@ -143,6 +144,7 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
       work.Fluence[p] += weight * coarse.Fluence[q];
       work.Up[p] += weight * coarse.Up[q];
       work.Down[p] += weight * coarse.Down[q];
+      work.SecondMoment[p] += weight * coarse.SecondMoment[q];
       work.Absorbed[p] += weight * coarse.Absorbed[q];
       for (int c = 0; c < 3; ++c)
       {

@@ -33,11 +33,12 @@ struct vtkSunlight::Work
   std::vector<float> Transmittance, ScaledDepth;
   // By clouds of the second input, if there are any: the fraction of sunlight; the irradiance of surfaces, negative where it is that of the open sky.
   std::vector<float> Shadow, BelowClouds;
-  std::vector<float> Fluence, Up, Down, Absorbed;
+  std::vector<float> Fluence, Up, Down, Absorbed, SecondMoment;
 
   void StartDiffuse()
   {
-    for (std::vector<float>* one : { &this->Fluence, &this->Up, &this->Down, &this->Absorbed })
+    for (std::vector<float>* one :
+      { &this->Fluence, &this->Up, &this->Down, &this->Absorbed, &this->SecondMoment })
     {
       one->assign(this->Places.size(), 0.0f);
     }
@@ -60,7 +61,7 @@ struct vtkSunlight::Work
     };
     for (const auto member : { &Work::Extinction, &Work::Scaled, &Work::Albedo, &Work::Asymmetry,
            &Work::Transmittance, &Work::ScaledDepth, &Work::Shadow, &Work::BelowClouds,
-           &Work::Fluence, &Work::Up, &Work::Down, &Work::Absorbed })
+           &Work::Fluence, &Work::Up, &Work::Down, &Work::Absorbed, &Work::SecondMoment })
     {
       take(this->*member, at.*member);
     }

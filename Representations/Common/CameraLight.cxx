@@ -49,15 +49,48 @@ CameraLight::CameraLight(vtkDataSet* data, vtkDataArray* colors)
   this->Single = single;
   this->Flux = flux;
   this->Phase = phase;
-  this->Times = { { single->GetMTime(), flux->GetMTime(), phase->GetMTime() } };
+  this->Moment = arrayOf(data->GetPointData(), "DiffuseSecondMoment", 1, points);
+  this->Times = { { single->GetMTime(), flux->GetMTime(), phase->GetMTime(),
+    this->Moment ? this->Moment->GetMTime() : 0 } };
+  vtkDataArray* up = arrayOf(data->GetFieldData(), "Up", 3, 1);
+  this->Ground = planetOf(data,
+    up ? Vector3{ { up->GetComponent(0, 0), up->GetComponent(0, 1), up->GetComponent(0, 2) } }
+       : Vector3{ { 0, 0, 1 } });
+  if (this->Moment && this->Ground.Radius > 0)
+  {
+    this->Places.TakeReference(data->NewInstance());
+    this->Places->CopyStructure(data);
+  }
 }
 
 double CameraLight::Headroom() const
 {
-  const double headroom = this->Flux->GetMaxNorm() +
+  double moments[2] = { 0, 0 };
+  if (this->Moment)
+  {
+    this->Moment->GetRange(moments);
+  }
+  const double headroom = this->Flux->GetMaxNorm() + std::max(moments[1], -0.5 * moments[0]) +
     std::max(this->Phase->GetRange(0)[1] - 1, 0.0) * this->Single->GetRange(0)[1] +
     std::max(this->Phase->GetRange(1)[1] - 1, 0.0) * this->Single->GetRange(1)[1];
   return headroom < Brightest ? headroom : Brightest;
+}
+
+std::array<float, 4> CameraLight::SecondPart(vtkIdType point, double scale) const
+{
+  constexpr double smallest = 1e-30; // 0 has no sign
+  const double single = std::max(scale * this->Single->GetComponent(point, 1), smallest),
+               moment = this->Moment ? scale * this->Moment->GetComponent(point, 0) : 0;
+  Vector3 up = this->Ground.Up;
+  if (this->Places)
+  {
+    double place[3];
+    this->Places->GetPoint(point, place);
+    up = this->Ground.UpAt({ { place[0], place[1], place[2] } });
+  }
+  const double root = std::sqrt(std::abs(moment));
+  return { { static_cast<float>(moment < 0 ? -single : single), static_cast<float>(root * up[0]),
+    static_cast<float>(root * up[1]), static_cast<float>(root * up[2]) } };
 }
 
 std::vector<std::array<float, 4>> CameraLight::Parts(double width) const
@@ -73,8 +106,7 @@ std::vector<std::array<float, 4>> CameraLight::Parts(double width) const
       parts[2 * p][std::size_t(c)] = static_cast<float>(scale * this->Flux->GetComponent(i, c));
     }
     parts[2 * p][3] = static_cast<float>(scale * this->Single->GetComponent(i, 0));
-    parts[2 * p + 1] = { { static_cast<float>(scale * this->Single->GetComponent(i, 1)), 0, 0,
-      0 } };
+    parts[2 * p + 1] = this->SecondPart(i, scale);
   }
   return parts;
 }

@@ -3,12 +3,16 @@
 /**
  * Light towards the camera, from what vtkSunlight with FollowCamera writes: for light that goes in the direction d, at an angle to sunlight that makes its factors P and Q,
  *
- *     Sunlight + d . DiffuseFlux + (P - 1) SingleScattering[0] + (Q - 1) SingleScattering[1]
+ *     Sunlight + d . DiffuseFlux + P2(d . up) DiffuseSecondMoment + (P - 1) SingleScattering[0] + (Q - 1) SingleScattering[1]
+ *
+ * P2 is the Legendre polynomial.
  */
 #ifndef CameraLight_h
 #define CameraLight_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
+
+#include "Planet.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -35,7 +39,10 @@ public:
   static constexpr double Brightest = 64;
   /** By how much, at most, light towards the camera exceeds Sunlight; not more than Brightest. */
   double Headroom() const;
-  /** For each point, as fractions of `width`: DiffuseFlux, SingleScattering[0]; SingleScattering[1], 0, 0, 0. */
+  /**
+   * For each point, as fractions of `width`: DiffuseFlux, SingleScattering[0]; SingleScattering[1], up times the root of the absolute DiffuseSecondMoment, whose sign is that
+   * of the fifth number.
+   */
   std::vector<std::array<float, 4>> Parts(double width) const;
   /** P - 1 and Q - 1, evenly spaced from 0 to 180 degrees. */
   std::vector<std::array<float, 2>> Factors() const;
@@ -45,8 +52,12 @@ public:
   bool operator==(const CameraLight& other) const;
 
 private:
-  vtkSmartPointer<vtkDataArray> Single, Flux, Phase;
-  std::array<vtkMTimeType, 3> Times = { { 0, 0, 0 } };
+  std::array<float, 4> SecondPart(vtkIdType point, double scale) const;
+
+  vtkSmartPointer<vtkDataArray> Single, Flux, Phase, Moment; // the last is null in data without it
+  std::array<vtkMTimeType, 4> Times = { { 0, 0, 0, 0 } };
+  Planet Ground;
+  vtkSmartPointer<vtkDataSet> Places; // where up depends on the place
   std::array<float, 3> Sun = { { 0, 0, 1 } };
 };
 

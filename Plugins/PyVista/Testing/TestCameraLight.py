@@ -43,7 +43,7 @@ def single(depth, sun, along, start=None, albedo=0.9):
     return albedo / 4 * phase(along @ sun) * np.sum((source[1:] + source[:-1]) / 2) * (t[1] - t[0])
 
 
-def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None, angle=20, trilinear=False):
+def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None, angle=20, trilinear=False, clip=(1e-3, 1e4)):
     """The light in every pixel, in floating point; `mesh` has light."""
     window, renderer, volume, mapper = vtkRenderWindow(), vtkRenderer(), vtkVolume(), nephoscope.vtkCellCompositingMapper()
     window.SetOffScreenRendering(1)
@@ -76,7 +76,7 @@ def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None
     if parallel:
         camera.SetParallelProjection(True)
         camera.SetParallelScale(parallel)
-    camera.SetClippingRange(1e-3, 1e4)
+    camera.SetClippingRange(*clip)
     window.Render()
     image = vtkImageData()
     assert mapper.CopyFloatImage(image)
@@ -173,9 +173,35 @@ class MultipleScattering(unittest.TestCase):
         angle = np.degrees(np.arccos(cosine))
         factors = np.array([np.interp(angle, np.linspace(0, 180, 1801), column) for column in parts.field_data["PhaseFunction"].T])
         np.testing.assert_allclose(parts["Sunlight"], mean["Sunlight"], atol=1e-7)
-        source = parts["Sunlight"] + parts["DiffuseFlux"] @ eye + parts["SingleScattering"] @ (factors - 1)
+        source = parts["Sunlight"] + parts["DiffuseFlux"] @ eye + (1.5 * eye[2]**2 - 0.5) * parts["DiffuseSecondMoment"] + parts["SingleScattering"] @ (factors - 1)
         wet = parts["ScaledExtinction"] > 0
         np.testing.assert_allclose(np.maximum(source, 0)[wet], one["Sunlight"][wet], atol=2e-3)
+
+    def level_clouds(self, on_globe):
+        """Thin, and wider than deep: much of the light in them runs level."""
+        if on_globe:
+            grid = pyvista.RectilinearGrid(np.linspace(0, 360, 37)[:-1], np.linspace(-90, 90, 19), np.linspace(0, 10000, 9))
+            mesh = grid.nephoscope.globe(level_units="m", vertical_exaggeration=60, mask_below_ground=False)
+            heights, places = np.linalg.norm(mesh.points, axis=1) / 6371e3 - 1, 4 * mesh.points / 6371e3
+            mesh["Extinction"] = 2e-5 * np.clip(1 - np.abs(heights / 0.047 - 1), 0, 1) * (1.2 + np.sin(places).prod(axis=1))
+            return mesh
+        mesh = pyvista.ImageData(dimensions=(15, 15, 9), spacing=(2, 2, 0.125))
+        mesh["Extinction"] = 2 * np.clip(2 - np.abs(4 * mesh.points[:, 2] - 2), 0, 1) * (1.2 + np.sin(mesh.points).prod(axis=1))
+        return mesh
+
+    def test_picture_for_one_eye(self):
+        """Light that follows the camera has the picture of light for this eye, on flat ground and on a globe, where up turns along a ray."""
+        for on_globe, eyes in ((False, ((14, 14, 160), (-180, 120, 60), (60, 140, -90))), (True, ((2e7, 3e6, 5e6), (2e6, 1e6, 2e7)))):
+            mesh = self.level_clouds(on_globe)
+            middle = np.array((0, 0, 0) if on_globe else mesh.center)
+            for eye in eyes:
+                with self.subTest(on_globe=on_globe, eye=eye):
+                    one, parts = (mesh.nephoscope.sunlight((0.9, 0.2, 0.3), eye=given) for given in (eye, "camera"))
+                    images = [light_seen(lit, eye, middle, size=(31, 31), angle=40 if on_globe else 10, clip=(1e3, 1e8) if on_globe else (1e-3, 1e4)) for lit in (one, parts)]
+                    self.assertGreater(images[0].max(), 0.02)
+                    moments = np.abs(parts["DiffuseSecondMoment"]).max() / parts["Sunlight"].max()
+                    self.assertGreater(moments, 0.03)
+                    self.assertLess(np.abs(images[0] - images[1]).max(), 0.01 * images[0].max())
 
     def test_silver_lining(self):
         """Against the sun, the edge of the cloud is brighter than with the sun behind the eye, and far brighter than its middle."""

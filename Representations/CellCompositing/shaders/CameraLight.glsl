@@ -3,7 +3,8 @@
 // Light that depends on the direction of view, added to the scalars of points (CameraLight.h). The sun is so far away that all points of a ray are seen at the
 // same angle from it, so that the sum is linear in each tetrahedron as its parts are.
 // Constant: cameraLight.
-uniform FloatArray lightParts;    // two per point: diffuse flux, light straight from the sun; light scattered straight on before
+uniform FloatArray lightParts;    // two per point: diffuse flux, light straight from the sun; light scattered straight on before, with the sign of the second moment of
+                                  // the diffuse light, up times the root of that
 uniform FloatArray phaseFunction; // factors less 1 of the two kinds of sunlight, evenly spaced in angle
 uniform vec3 towardsSun;          // unit length, in the coordinates of the data
 uniform int numberOfPhases;
@@ -27,7 +28,12 @@ void keepCameraLight(vec3 direction)
 
 float withCameraLight(float scalar, int point)
 {
-  return cameraLight
-    ? clamp(scalar + dot(lightWeights, element(lightParts, 2 * point)) + lightWeight * element(lightParts, 2 * point + 1).x, 0.0, 1.0)
-    : scalar;
+  if (!cameraLight)
+  {
+    return scalar;
+  }
+  vec4 second = element(lightParts, 2 * point + 1);
+  float upwards = dot(lightWeights.xyz, second.yzw);
+  float moment = (second.x < 0.0 ? -0.5 : 0.5) * (3.0 * upwards * upwards - dot(second.yzw, second.yzw));
+  return clamp(scalar + dot(lightWeights, element(lightParts, 2 * point)) + moment + lightWeight * abs(second.x), 0.0, 1.0);
 }
