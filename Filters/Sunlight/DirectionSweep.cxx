@@ -121,7 +121,8 @@ void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) cons
     const std::size_t p = first + q;
     const Vector& flux = known.Flux[p];
     const float forward = 3 * this->Grid.Asymmetry[p];
-    cone.Even[q] = known.Fluence[p] + forward * cone.Z * flux[2];
+    cone.Even[q] = known.Fluence[p] + forward * cone.Z * flux[2] +
+      secondMomentFactor(this->Grid.Asymmetry[p]) * secondLegendre(cone.Z) * known.SecondMoment[p];
     cone.Slopes[0][q] = forward * flux[0];
     cone.Slopes[1][q] = forward * flux[1];
     cone.Scale[q] = this->Grid.Extinction[p] * this->Grid.Albedo[p] / (4 * pi);

@@ -3,7 +3,7 @@
 /**
  * Discrete ordinates by short characteristics (KunaszAuer1988): the diffuse light that a given source function makes, direction by direction.
  *
- *     S(d) = albedo / (4 pi) (fluence + 3 g d . flux + P(d . s) T)
+ *     S(d) = albedo / (4 pi) (fluence + 3 g d . flux + 5 g^2 P2(d . up) moment + P(d . s) T)
  *
  * P: Henyey-Greenstein, whose mean over the directions is made 1. T: the sun's beam. Plain C++17.
  */

@@ -34,6 +34,21 @@ def sun_of(data: vtkDataSet) -> np.ndarray:
     return np.array(data.GetFieldData().GetArray("SunDirection").GetTuple(0))
 
 
+def light_upwards(data: vtkDataSet) -> np.ndarray:
+    """The light that each point of a globe sends straight up, if it was computed with `FollowCamera`; otherwise the mean over all directions."""
+    arrays = data.GetPointData()
+    mean = vtk_to_numpy(arrays.GetArray("Sunlight"))
+    if not arrays.HasArray("DiffuseSecondMoment"):
+        return mean
+    flux, moment, single = (vtk_to_numpy(arrays.GetArray(name)) for name in ("DiffuseFlux", "DiffuseSecondMoment", "SingleScattering"))
+    places = np.array([data.GetPoint(p) for p in range(data.GetNumberOfPoints())])
+    up = places / np.linalg.norm(places, axis=1, keepdims=True)
+    factors = vtk_to_numpy(data.GetFieldData().GetArray("PhaseFunction"))
+    angles = np.arccos(np.clip(-up @ sun_of(data), -1, 1)) / np.pi * (len(factors) - 1)
+    scattered = sum((np.interp(angles, np.arange(len(factors)), factors[:, kind]) - 1) * single[:, kind] for kind in (0, 1))
+    return np.maximum(mean + (flux * up).sum(axis=1) + moment + scattered, 0)
+
+
 def light_of_clouds(data: vtkDataSet, camera: vtkCamera, size: Sequence[int], arrays: Sequence[str] = ("Sunlight",)) -> tuple[np.ndarray, np.ndarray]:
     """For each array of source functions, the light that reaches the camera through the clouds, (height, width, arrays), and the
     opacity of the clouds, (height, width)."""

@@ -162,12 +162,13 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
     if not on_globe:
         mesh, options, view = _upright(mesh, options, view)
     view = ("geostationary" if on_globe else "nadir") if isinstance(view, str) and view == "automatic" else view
+    is_map = on_globe and isinstance(view, str) and view == "nadir"
     camera, eye = _camera_of(mesh, view, longitude)
     mesh = _lit_for(mesh, options, eye, float(albedo.mean()))
-    drawn = _as_map(mesh) if eye is None else mesh
+    drawn = _as_map(mesh) if is_map else mesh
     camera = camera or _camera_above(drawn, size)
     sky_light = SKY_LIGHT if options is None else options.get("sky_light", SKY_LIGHT)
-    return _measured(mesh, drawn, camera, size, albedo, eye is None, sky_light)
+    return _measured(mesh, drawn, camera, size, albedo, is_map, sky_light)
 
 
 def _measured(mesh: pyvista.DataSet, drawn: pyvista.DataSet, camera: vtkCamera, size: Sequence[int], albedo: np.ndarray, is_map: bool, sky_light: float) -> SatelliteImage:
@@ -216,14 +217,14 @@ def _upright(mesh: pyvista.DataSet, options: dict[str, Any] | None, view: Any) -
     return upright_mesh(mesh, matrix), options if options is None else upright_sun(options, matrix), view
 
 
-def _lit_for(mesh: pyvista.DataSet, options: dict[str, Any] | None, eye: dict[str, Any] | None, ground_albedo: float) -> pyvista.DataSet:
+def _lit_for(mesh: pyvista.DataSet, options: dict[str, Any] | None, eye: dict[str, Any], ground_albedo: float) -> pyvista.DataSet:
     if options is None:
         if not {"Sunlight", "ScaledExtinction", "Irradiance", "SunTransmittance"} <= set(mesh.point_data):
             raise ValueError("mesh has no light: give sun, for example a date and time, or use mesh.nephoscope.sunlight() first.")
         if light_image.planet_radius(mesh) > 0:
             _warn_of_steps(mesh)
         return mesh
-    return lit(mesh, {"ground_albedo": ground_albedo, **(eye or {}), **options}, resolve=_resolved)
+    return lit(mesh, {"ground_albedo": ground_albedo, **eye, **options}, resolve=_resolved)
 
 
 def _resolved(mesh: pyvista.DataSet, names: list[str]) -> pyvista.DataSet:
@@ -244,8 +245,8 @@ def _warn_of_steps(mesh: pyvista.DataSet) -> None:
                       UserWarning, stacklevel=level_of_caller())
 
 
-def _camera_of(mesh: pyvista.DataSet, view: Any, longitude: float | None) -> tuple[vtkCamera | None, dict[str, Any] | None]:
-    """The camera, and the eye for `sunlight`. There is no eye for the nadir view of a globe, which would need one for each position."""
+def _camera_of(mesh: pyvista.DataSet, view: Any, longitude: float | None) -> tuple[vtkCamera | None, dict[str, Any]]:
+    """The camera, and the eye for `sunlight`: for the nadir view of a globe that of any camera, because each position has its own direction."""
     radius = light_image.planet_radius(mesh)
     if isinstance(view, str) and view == "geostationary":
         if radius == 0:
@@ -255,7 +256,7 @@ def _camera_of(mesh: pyvista.DataSet, view: Any, longitude: float | None) -> tup
         highest = np.linalg.norm(mesh.points, axis=1).max()
         return _camera(place, -place, (0, 0, 1), angle=2 * np.degrees(np.arcsin(max(highest, radius) / np.linalg.norm(place)))), {"eye": tuple(place)}
     if isinstance(view, str) and view == "nadir":
-        return None, None if radius > 0 else {"eye": (0, 0, 1), "parallel": True}
+        return None, {"eye": "camera"} if radius > 0 else {"eye": (0, 0, 1), "parallel": True}
     if isinstance(view, str) or np.shape(view) != (3,) or not np.linalg.norm(view) > 0:
         raise ValueError(f"view is {view!r}; it must be 'automatic', 'geostationary', 'nadir' or a direction of three numbers.")
     towards = np.asarray(view, float) / np.linalg.norm(view)
@@ -306,5 +307,6 @@ def _as_map(mesh: pyvista.DataSet) -> pyvista.DataSet:
     flat.points = np.column_stack([METRES_PER_DEGREE * longitude, METRES_PER_DEGREE * latitude, radii - light_image.planet_radius(mesh)])
     for name in ("Sunlight", "ScaledExtinction"):
         require_array(mesh, name, "mesh")
-        flat.point_data[name] = mesh.point_data[name]
+    flat.point_data["Sunlight"] = light_image.light_upwards(mesh)
+    flat.point_data["ScaledExtinction"] = mesh.point_data["ScaledExtinction"]
     return flat
