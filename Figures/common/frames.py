@@ -19,12 +19,13 @@ other scripts, are made anew. A film that no program of this machine can make is
 """
 import argparse
 import hashlib
-import json
 import os
 import shutil
 import subprocess
 import sys
 import time
+
+import film_frames
 
 LARGEST_GIF = 100  # frames
 SMALL = 480  # pixels
@@ -71,43 +72,20 @@ def make_film(name, wanted, draw, milliseconds, settings=(), loops=3):
         print("wrote %s.mp4" % path, flush=True)
 
 
-class Frames:
-    def __init__(self, folder, count, settings):
-        """settings: all that the frames depend on, as something that JSON can hold."""
-        self.folder = folder
-        self.files = [os.path.join(folder, "frame_%04d.png" % i) for i in range(count)]
-        self.settings = json.dumps(settings, sort_keys=True)
-        self.record = os.path.join(folder, "settings.json")
-
-    def missing(self):
-        """Numbers of the frames to be made. Those of other settings are removed first."""
-        os.makedirs(self.folder, exist_ok=True)
-        if not self.same_settings():
-            for name in os.listdir(self.folder):
-                if name.startswith("frame_") and name.endswith(".png"):
-                    os.remove(os.path.join(self.folder, name))
-            with open(self.record, "w", encoding="utf-8") as record:
-                record.write(self.settings)
-        return [i for i, file in enumerate(self.files) if not os.path.exists(file)]
-
-    def same_settings(self):
-        try:
-            with open(self.record, encoding="utf-8") as record:
-                return record.read() == self.settings
-        except OSError:
-            return False
+class Frames(film_frames.Frames):
+    """With the progress on standard output."""
 
     def make(self, draw):
-        missing, start = self.missing(), time.monotonic()
-        if len(missing) < len(self.files):
-            print("%d of %d frames are there already" % (len(self.files) - len(missing), len(self.files)), flush=True)
-        for done, i in enumerate(missing, 1):
-            # Under another name until it is whole: a frame with its own name is a complete one.
-            unfinished = os.path.join(self.folder, "unfinished.png")
-            draw(i, unfinished)
-            os.replace(unfinished, self.files[i])
-            left = (time.monotonic() - start) / done * (len(missing) - done)
+        found, start, drawn = len(self.found()), time.monotonic(), []
+        if found:
+            print("%d of %d frames are there already" % (found, len(self.files)), flush=True)
+
+        def tell(i):
+            drawn.append(i)
+            left = (time.monotonic() - start) / len(drawn) * (len(self.files) - found - len(drawn))
             print("frame %d of %d, %.0f s left" % (i + 1, len(self.files), left), flush=True)
+
+        super().make(draw, tell)
 
 
 def make_gif(files, name, milliseconds=80, width=None):
@@ -136,7 +114,7 @@ def of_width(picture, width):
 
 def make_mp4(files, name, milliseconds=80, loops=3):
     """The frames several times over, for players that do not loop; True if ffmpeg is there."""
-    pattern = os.path.join(os.path.dirname(files[0]), "frame_%04d.png")
+    pattern = os.path.join(os.path.dirname(files[0]), "%05d.png")
     # Players want an even number of pixels, and the index before the pictures.
     return run("ffmpeg", ["-y", "-loglevel", "error", "-stream_loop", str(loops - 1), "-framerate", "%g" % (1000 / milliseconds),
                           "-i", pattern, "-frames:v", str(loops * len(files)), "-vf", "crop=trunc(iw/2)*2:trunc(ih/2)*2",

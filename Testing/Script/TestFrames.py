@@ -11,7 +11,10 @@ import unittest
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(TOP, "Figures", "common"))
 import frames  # noqa: E402
+import pictures  # noqa: E402
+import vtkmodules.vtkRenderingOpenGL2  # noqa: E402, F401
 from PIL import Image  # noqa: E402
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow  # noqa: E402
 
 
 class Frames(unittest.TestCase):
@@ -42,11 +45,48 @@ class Frames(unittest.TestCase):
             self.draw(i, file)
             if i == 3:
                 raise KeyboardInterrupt
-        with self.assertRaises(KeyboardInterrupt):
+        with self.assertRaisesRegex(KeyboardInterrupt, "3 of 5 frames are kept in .*film. The same call goes on from there"):
             self.make(draw=interrupted)
         film = self.make()
         self.assertEqual(self.drawn, [3, 4])
         self.assertTrue(all(os.path.exists(file) for file in film.files))
+
+    def test_half_a_frame_is_no_frame(self):
+        film = self.make()
+        with open(film.files[3], "rb+") as frame:
+            frame.truncate(os.path.getsize(film.files[3]) - 1)
+        self.make()
+        self.assertEqual(self.drawn, [3])
+
+        def half(i, file):
+            self.draw(i, file)
+            os.truncate(file, 30)
+        os.remove(film.files[2])
+        with self.assertRaisesRegex(OSError, "unfinished.png cannot be written: the file is incomplete. Free: .*; needed: about .* bytes. 4 of 5 frames are kept"):
+            self.make(draw=half)
+        self.make()
+        self.assertEqual(self.drawn, [2])
+
+    def test_a_full_disk_is_told_and_survived(self):
+        """With PIL, and with VTK's writer as the figures call it."""
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(1)
+        window.SetSize(300, 300)
+        window.AddRenderer(vtkRenderer())
+        window.Render()
+        for draw in (self.draw, lambda i, file: pictures.write(window, file, announce=False)):
+            def full(i, file):
+                if i == 2:
+                    os.symlink("/dev/full", file)
+                draw(i, file)
+            with self.assertRaisesRegex(OSError, "unfinished.png cannot be written: .*. Free: [0-9.,]+ [kMG]B; needed: about .*. 2 of 5 frames are kept in .*film. The same call goes on"):
+                self.make(draw=full, settings=(repr(draw),))
+            self.make(settings=(repr(draw),))
+            self.assertEqual(self.drawn, [2, 3, 4])
+
+    def test_an_error_of_what_is_drawn_stays_as_it_is(self):
+        with self.assertRaisesRegex(FileNotFoundError, "nothing.nc"):
+            self.make(draw=lambda i, file: open("nothing.nc", "rb"))
 
     def test_other_settings_start_anew(self):
         self.make()
@@ -92,7 +132,7 @@ class Frames(unittest.TestCase):
         self.assertTrue(self.make_mp4())
         with open(written, encoding="utf-8") as call:
             arguments = call.read()
-        for part in ("-framerate 25 ", "-frames:v 15 ", os.path.join("film", "frame_%04d.png")):
+        for part in ("-framerate 25 ", "-frames:v 15 ", os.path.join("film", "%05d.png")):
             self.assertIn(part, arguments)
 
 

@@ -91,7 +91,7 @@ class Animation(unittest.TestCase):
 
     def test_films_have_no_bands(self):
         """Slow changes of colour are those of the pictures, to a step of 255 in the mean over a few pixels."""
-        from nephoscope.weather.animating import _gif
+        from nephoscope.weather.filming import _gif
         from PIL import Image, ImageFilter
         shades = np.linspace(0, 1, 256)
         with tempfile.TemporaryDirectory() as folder:
@@ -99,7 +99,7 @@ class Animation(unittest.TestCase):
                         for turn in (1, 0.5)]
             for i, picture in enumerate(pictures):
                 picture.save(Path(folder, f"{i}.png"))
-            _gif(Path(folder), Path(folder, "film.gif"), 8)
+            _gif([str(Path(folder, f"{i}.png")) for i in range(2)], Path(folder, "film.gif"), 8)
             film = self.enterContext(Image.open(Path(folder, "film.gif")))
             for i, picture in enumerate(pictures):
                 film.seek(i)

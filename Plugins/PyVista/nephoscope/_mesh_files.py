@@ -6,9 +6,10 @@ from __future__ import annotations
 import glob
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, Callable
 
 import pyvista
+from vtkmodules.vtkCommonCore import vtkLogger
 
 from ._blocks import alike, cell_dimension, named_blocks
 from ._checks import listed
@@ -45,13 +46,35 @@ def read_steps(path: str | Path, times: Any) -> tuple[Any, Any]:
 
     def read(time: float) -> Any:
         reader.set_active_time_value(time)
-        return reader.read()
+        return _complete(reader.read)
+    read.file = str(path)  # type: ignore[attr-defined]
     return read, steps
+
+
+def _complete(read: Callable[[], Any]) -> Any:
+    """What `read` returns. OSError if VTK reports errors and it returns nothing, or only a part because a file ends early; the error stands for the reports."""
+    mesh, failed, verbosity = None, None, vtkLogger.GetCurrentVerbosityCutoff()
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    try:
+        with pyvista.VtkErrorCatcher(send_to_logging=False) as told, warnings.catch_warnings(record=True) as warned:
+            try:
+                mesh = read()
+            except RuntimeError as problem:  # pyvista's, of what VTK reports last
+                failed = problem
+    finally:
+        vtkLogger.SetStderrVerbosity(verbosity)
+    texts = [event.alert for event in told.events] or ([str(failed)] if failed else [])
+    nothing = mesh is None or not (mesh.n_blocks if isinstance(mesh, pyvista.MultiBlock) else mesh.n_points)
+    if texts and (nothing or any("Error reading binary data" in text for text in texts)):
+        raise OSError(texts[0].split("): ", 1)[-1].split("\n")[-1].strip()) from failed
+    for one in warned:
+        warnings.warn(one.message, one.category, stacklevel=level_of_caller())
+    return mesh
 
 
 def one_volume(mesh: Any, warns: bool) -> Any:
     """The mesh of a file, and the blocks of a mesh as one dataset: those of the greatest dimension, so that the boundary patches of a volume are left out."""
-    mesh = pyvista.read(mesh) if isinstance(mesh, Path) else mesh
+    mesh = _complete(lambda: pyvista.read(mesh)) if isinstance(mesh, Path) else mesh
     if not isinstance(mesh, pyvista.MultiBlock):
         return mesh
     blocks = [(name, block) for name, block in named_blocks(mesh) if block.n_points]

@@ -3,10 +3,7 @@
 """A series in a plotter: a slider of time, or a film."""
 from __future__ import annotations
 
-import shutil
-import subprocess
-import sys
-import tempfile
+import re
 from inspect import signature
 from pathlib import Path
 from typing import Any, Callable
@@ -21,6 +18,7 @@ from .._options import refuse_unknown
 from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
 from .filled import filled
+from .filming import write_film
 from .forms import form_of
 from .mesh_series import MeshSeries, is_meshes, mesh_series
 from .naming import word
@@ -58,6 +56,9 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         stay the same: the fastest by at most their distance in a second of the film, or as their ``true_speed`` says. A ``phase`` or ``film_time`` that you set stays.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg, on the path or of the package imageio-ffmpeg), or a folder for PNG pictures. Default: a slider of time.
+        Until the film is whole its frames are in the folder ``<filename>.frames`` beside it. The same call after an interruption goes on from there: it draws the newest of these frames
+        once more, and begins anew if this differs from what was kept, or if the options, the times, the size of the window or the data differ. Files are compared by their size and time,
+        meshes in memory by their values; of a function only what it draws in that frame. To begin anew in any case, remove the folder.
     times : sequence, optional
         Of PyVista meshes: their times as numbers, dates or words, which are written into the picture. Default: their numbers.
         Numbers and dates, also as the keys of a dict, are sorted, and the meshes with them.
@@ -86,9 +87,19 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         (a ValueError) If the mesh of a time lacks an array that is drawn.
     ValueError
         If there are no meshes, or the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
+    OSError
+        If a frame or the film cannot be written, as on a full disk: with the file, the space that is free and that is needed. If none of the time steps can be read.
+    KeyboardInterrupt
+        If Control-C is pressed; the message says how many frames are kept.
+
+    Warns
+    -----
+    RuntimeWarning
+        For each time step that cannot be read, with its file: the picture of the step before is shown in its place; before the first step that can be read, the picture of that step.
     """
     from .picture import darken, is_untouched
     draw = draw if draw is None or callable(draw) else word(draw)
+    asked = re.sub(" at 0x[0-9a-f]+", "", repr([None if callable(draw) else draw, heights, show_time, sorted(options.items())]))  # which is the same in another process
     whole = isinstance(draw, str) and is_untouched(plotter)
     look = _look(draw, options)
     series, draw = _series(plotter, dataset, draw, heights, options, whole, times, look)
@@ -109,12 +120,14 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         _add_label(plotter, series, colour)
 
     def turn_to(step: float) -> None:
-        series.show(int(round(step)))
+        found = series.attempt(int(round(step)), series.__getitem__)
+        if found is not None:
+            series.put(int(round(step)), found)
         plotter.renderer.ResetCameraClippingRange()
         plotter.render()
 
     if filename is not None:
-        _film(plotter, series, turn_to, Path(filename), framerate, progress)
+        write_film(plotter, series, turn_to, Path(filename), framerate, progress, asked)
         return series
     turn_to(0)
     if len(series) > 1:
@@ -267,59 +280,3 @@ def _add_slider(plotter: pyvista.BasePlotter, series: Series, turn_to: Callable[
 
     slider.AddObserver("InteractionEvent", label)
     series.listen(move)
-
-
-def _film(plotter, series: Series, turn_to: Callable[[float], None], path: Path, framerate: float, progress: bool) -> None:
-    kind = path.suffix.lower()
-    if kind not in (".gif", ".mp4", ""):
-        raise ValueError(f"filename is {str(path)!r}; its ending must be .gif or .mp4, or none for a folder of pictures.")
-    program = _ffmpeg() if kind == ".mp4" else ""
-    with tempfile.TemporaryDirectory() as work:
-        folder = path if kind == "" else Path(work)
-        folder.mkdir(parents=True, exist_ok=True)
-        for step in range(len(series)):
-            turn_to(step)
-            plotter.screenshot(folder / f"{step:05d}.png")
-            if progress:
-                _tell(step, series)
-        if kind == ".gif":
-            _gif(folder, path, framerate)
-        elif kind == ".mp4":
-            _mp4(program, folder, path, framerate)
-
-
-def _tell(step: int, series: Series) -> None:
-    """One line that changes on a terminal, and a line for each step in a log."""
-    start, end = ("\r", "\n" if step + 1 == len(series) else "") if sys.stderr.isatty() else ("", "\n")
-    print(f"{start}{step + 1} of {len(series)}: {series.times[step]}", end=end, file=sys.stderr, flush=True)
-
-
-def _gif(folder: Path, path: Path, framerate: float) -> None:
-    """Each frame has the 256 colours that suit it, dithered: colours that change slowly, as those of clouds do, would have bands."""
-    from PIL import Image
-    frames = [_dithered(Image.open(name).convert("RGB")) for name in sorted(folder.glob("*.png"))]
-    frames[0].save(path, save_all=True, append_images=frames[1:], duration=round(1000 / framerate), loop=0)
-
-
-def _dithered(frame: Any) -> Any:
-    from PIL import Image
-    return frame.quantize(palette=frame.quantize(256, Image.Quantize.FASTOCTREE), dither=Image.Dither.FLOYDSTEINBERG)
-
-
-def _ffmpeg() -> str:
-    """The program on the path, otherwise that of the package imageio-ffmpeg."""
-    found = shutil.which("ffmpeg")
-    if found is None:
-        try:
-            from imageio_ffmpeg import get_ffmpeg_exe
-            found = get_ffmpeg_exe()
-        except (ImportError, RuntimeError):  # RuntimeError: the package has no program for this machine
-            raise RuntimeError("A film in .mp4 needs the program ffmpeg, which is not on the path. Install it, or the Python package imageio-ffmpeg, or write a .gif.") from None
-    return found
-
-
-def _mp4(program: str, folder: Path, path: Path, framerate: float) -> None:
-    told = subprocess.run([program, "-y", "-loglevel", "error", "-framerate", str(framerate), "-i", str(folder / "%05d.png"), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
-                           str(path)], capture_output=True, text=True)
-    if told.returncode:
-        raise RuntimeError(f"ffmpeg could not write {path}: {told.stderr.strip()}")

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pyvista
 
+from .identity import of_dataset
 from .reading import Reading
 from .roles import ROLES
 from .series import Series
@@ -27,8 +28,9 @@ class DatasetSeries(Series):
         self._dim = next((dim for dim in time_dims(dataset) if dataset.sizes[dim] > 1), None)
         self._worker = ThreadPoolExecutor(1)
         self._coming: dict[int, Future] = {}
-        super().__init__(listed_times(dataset) or [""], self[0])
-        self._prefetch(1)
+        super().__init__(listed_times(dataset) or [""])
+        self._begin()
+        self._prefetch(self.step + 1)
 
     def __len__(self) -> int:
         return 1 if self._dim is None else self._dataset.sizes[self._dim]
@@ -49,6 +51,12 @@ class DatasetSeries(Series):
         """Seconds since the first step; step numbers if the dataset has no dates."""
         seconds = seconds_of(times) if self._dim and (times := when(self._dataset, self._dim)) is not None else None
         return np.arange(len(self), dtype=float) if seconds is None else seconds
+
+    def identity(self) -> list:
+        return of_dataset(self._dataset)
+
+    def _file(self, step: int) -> str:
+        return str(self._dataset.encoding.get("source", ""))
 
     def _mesh(self, step: int) -> pyvista.DataSet:
         return (self._coming.pop(step, None) or self._submit(self._read, step)).result()
@@ -86,8 +94,8 @@ class DatasetSeries(Series):
         """The option of `grid` that reads this variable only."""
         return {"variables": [name]} if name in self._dataset.data_vars else {}
 
-    def show(self, step: int) -> None:
-        super().show(step)
+    def put(self, step: int, found: pyvista.DataSet) -> None:
+        super().put(step, found)
         self._prefetch(self.step + 1)
 
     def _shape(self, found: pyvista.DataSet) -> None:

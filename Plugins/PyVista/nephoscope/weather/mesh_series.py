@@ -12,6 +12,7 @@ import numpy as np
 import pyvista
 
 from .._mesh_files import are_mesh_files, expanded, one_volume, read_steps
+from .identity import of_file, of_mesh
 from .series import Series
 
 ACCEPTED = "a list of PyVista datasets, one for each time, a dict {time: dataset}, or a function of one of `times`"
@@ -28,10 +29,9 @@ class MeshSeries(Series):
         self._bounds: dict[int, tuple] = {}  # by step; of those that have been made
         self._require_meshes()
         self._sort()
-        self._kind = type(self._made(0))
-        first = next((step for step in range(len(self)) if self[step].n_points), 0)
-        super().__init__([str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels], self[first].copy())
-        self.step = first
+        self._kind: type | None = None
+        super().__init__([str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels])
+        self._begin(lambda mesh: mesh.n_points, copied=True)
 
     def _require_meshes(self) -> None:
         if self._labels is None and callable(self._source):
@@ -73,7 +73,7 @@ class MeshSeries(Series):
         """Least and greatest x, y and z of all steps, or of the sampled ones, as `pyvista.DataSet.bounds`: ``plotter.reset_camera(bounds=series.bounds)``."""
         for step in self._sampled():
             if int(step) not in self._bounds:
-                self._read(int(step))
+                self.attempt(int(step), self._read)
         found = np.array([box for box in self._bounds.values() if box[0] <= box[1]] or [self.mesh.bounds])
         return tuple(float(value) for pair in zip(found[:, ::2].min(axis=0), found[:, 1::2].max(axis=0)) for value in pair)
 
@@ -93,8 +93,18 @@ class MeshSeries(Series):
         """Whether the steps that have been read have several bounds."""
         return len(set(self._bounds.values())) > 1
 
+    def identity(self) -> list:
+        if callable(self._source):
+            return [of_file(self._source.file)] if hasattr(self._source, "file") else []
+        return [of_file(mesh) if isinstance(mesh, Path) else of_mesh(mesh) for mesh in self._source]
+
+    def _file(self, step: int) -> str:
+        source = getattr(self._source, "file", "") if callable(self._source) else self._source[step]
+        return str(source) if isinstance(source, (str, Path)) else ""
+
     def _read(self, step: int) -> pyvista.DataSet:
         found = self._made(step)
+        self._kind = self._kind or type(found)
         _require_mesh(found, self._kind)
         self._bounds[step] = tuple(found.bounds) if found.n_points else (1.0, -1.0, 1.0, -1.0, 1.0, -1.0)
         return found
