@@ -1,8 +1,10 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.advect_texture against uniform winds and rotations, series in every form, arguments that arrive, errors."""
+import gc
 import unittest
 import warnings
+import weakref
 
 import nephoscope
 import numpy as np
@@ -95,6 +97,31 @@ class Series(unittest.TestCase):
         hours = nephoscope.advect_texture(grids, 1.5 / 3600, times=[t / 3600 for t in self.times], time_scale=3600, **BOX)
         seconds = nephoscope.advect_texture(grids, 1.5, times=self.times, **BOX)
         np.testing.assert_allclose(hours.point_data["TextureCoordinates1"], seconds.point_data["TextureCoordinates1"], atol=1e-6)
+
+
+class Memory(unittest.TestCase):
+    def test_meshes_are_not_kept(self):
+        """Those of a wind, steady or not, are freed when the caller has done with them, as in a film of many steps."""
+        def steady(mesh):
+            return nephoscope.advect_texture(mesh, 1, **BOX)
+
+        def unsteady(mesh):
+            return nephoscope.advect_texture([mesh, box()], 1, times=[0, 3], **BOX)
+
+        def function(mesh):
+            return nephoscope.advect_texture(lambda time: mesh, 1, times=[0, 3], **BOX)
+
+        def smoke(mesh):
+            return nephoscope.flow_volume([mesh, box()], times=[0, 3], time=1, vectors="wind", radius=0.1)
+
+        for draw in (steady, unsteady, function, smoke):
+            with self.subTest(draw.__name__):
+                mesh = box()
+                kept, result = weakref.ref(mesh), draw(mesh)
+                del mesh
+                gc.collect()
+                self.assertIsNone(kept())
+                self.assertTrue(result.n_points)
 
 
 class Periods(unittest.TestCase):

@@ -39,7 +39,8 @@ class Series(VTKPythonAlgorithmBase):
             grids = list(mesh) if is_series else [mesh]
             if len(grids) != len(self.times):
                 raise ValueError(f"There are {len(grids)} grids and {len(self.times)} times; the numbers must be equal.")
-            self._read = lambda time: grids[self.times.index(time)]
+            times = self.times
+            self._read = lambda time: grids[times.index(time)]  # without a reference to this: Python does not collect cycles through objects of VTK
         self.first = dataset(self._read(self.times[0]), "mesh")
         self._waiting = self.first
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType=self.first.GetClassName())
