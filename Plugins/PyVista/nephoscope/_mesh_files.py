@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import glob
+import logging
 import warnings
 from pathlib import Path
 from typing import Any, Callable
@@ -53,8 +54,9 @@ def read_steps(path: str | Path, times: Any) -> tuple[Any, Any]:
 
 def _complete(read: Callable[[], Any]) -> Any:
     """What `read` returns. OSError if VTK reports errors and it returns nothing, or only a part because a file ends early; the error stands for the reports."""
-    mesh, failed, verbosity = None, None, vtkLogger.GetCurrentVerbosityCutoff()
+    mesh, failed, verbosity, disabled = None, None, vtkLogger.GetCurrentVerbosityCutoff(), logging.root.manager.disable
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    logging.disable(logging.ERROR)  # by pyvista's observers
     try:
         with pyvista.VtkErrorCatcher(send_to_logging=False) as told, warnings.catch_warnings(record=True) as warned:
             try:
@@ -63,6 +65,7 @@ def _complete(read: Callable[[], Any]) -> Any:
                 failed = problem
     finally:
         vtkLogger.SetStderrVerbosity(verbosity)
+        logging.disable(disabled)
     texts = [event.alert for event in told.events] or ([str(failed)] if failed else [])
     nothing = mesh is None or not (mesh.n_blocks if isinstance(mesh, pyvista.MultiBlock) else mesh.n_points)
     if texts and (nothing or any("Error reading binary data" in text for text in texts)):
