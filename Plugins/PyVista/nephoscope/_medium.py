@@ -20,6 +20,7 @@ from ._checks import arrays_of, as_array, listed, require_number
 from ._components import are_colours, reduced, require_component, title_of
 from ._copies import MediumVolume
 from ._exports import warn_when_exported
+from ._extinction import greatest_extinction, is_extinction, require_alone
 from ._fields import find_preset, is_bright, is_helper, presets
 from ._from_xarray import meshed
 from ._frames import warn_of_other_frames
@@ -112,6 +113,13 @@ def default_scalars(grid: pyvista.DataSet, by_name: bool = False, vectors_too: b
         ids = "" if arrays or not grid.array_names else " Arrays of ids are not chosen; pass scalars= with the name to draw them."
         raise MissingDataError(f"there is no point or cell array with one component.{_magnitude(vectors, by_name)} {arrays_of(grid)}{ids}")
     return next((array for array in scalars if not is_helper(array[1])), scalars[0])
+
+
+def named_extinction(mesh: pyvista.DataSet, opacity: Any, scalars: Any, opacity_scalars: str | None) -> str | None:
+    """`opacity_scalars`. If neither these nor `scalars` say what the extinction is, an array ``Extinction`` is, or the default scalars."""
+    if not is_extinction(opacity) or scalars is not None or opacity_scalars is not None:
+        return opacity_scalars
+    return "Extinction" if "Extinction" in mesh.array_names else default_scalars(mesh)[1]
 
 
 def _magnitude(vectors: str | None, by_name: bool) -> str:
@@ -260,7 +268,7 @@ def _warn_of_one_opacity(values: np.ndarray, name: str, function: vtkPiecewiseFu
 def _refuse_values(grid: pyvista.DataSet, opacity: Any, n_colors: int) -> None:
     """Raises ValueError if `opacity`, a function of the scalars, is an array of the grid or its name; warns if it may be one."""
     if isinstance(opacity, str):
-        if opacity in grid.array_names and opacity not in OPACITY_NAMES:
+        if opacity in grid.array_names and opacity not in OPACITY_NAMES and not is_extinction(opacity):
             raise ValueError(f"opacity is {opacity!r}, the name of an array: pass opacity_scalars={opacity!r}. A name given as opacity is that of a function of the scalars.")
         return
     count = np.size(opacity) if opacity is not None else 0
@@ -317,6 +325,8 @@ class Functions:
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
                preference: str, unit_distance: float | None) -> pyvista.VolumeProperty:
         """The property of a volume of the array `name`, which `mapper` will draw. The default `unit_distance` makes the medium visible."""
+        if is_extinction(self.opacity):
+            unit_distance = self._take_extinction(grid, name, preference, unit_distance)
         limits_given = (self.clim if self.opacity_scalars is None else self.opacity_clim) is not None
         _refuse_values(grid, self.opacity, self.n_colors)
         clim = self.clim
@@ -353,6 +363,15 @@ class Functions:
             prop.opacity_unit_distance = self.fainter * (mapper.FindUnitDistance(measured) or diagonal(grid) or 1.0)
             mapper.SetInputData(grid)
         return prop
+
+    def _take_extinction(self, grid: pyvista.DataSet, name: str, preference: str, unit_distance: float | None) -> float:
+        """Lets the opacity be the extinction coefficient, without a function. Returns the unit distance."""
+        require_alone(opacity_unit_distance=unit_distance, opacity_clim=self.opacity_clim)
+        self.opacity_scalars = self.opacity_scalars or name
+        values = values_over_time(grid, self.opacity_scalars, association_of(grid, self.opacity_scalars, preference, "opacity='extinction'"))
+        greatest = greatest_extinction(values, self.opacity_scalars, diagonal(grid), require_number(self.opacity_scale, "opacity_scale", least=0))
+        self.opacity, self.opacity_clim = "linear", (0.0, greatest)
+        return 1 / greatest
 
     def _take_preset(self, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str) -> None:
         """Takes colours, opacities and range from the preset, unless the user has set them."""

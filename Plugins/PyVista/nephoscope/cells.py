@@ -14,7 +14,7 @@ from ._checks import choose, renamed_argument
 from ._fields import FLAT_GRID
 from ._from_xarray import add_earth_for, darken_for, title_with_units
 from ._layers import Layers
-from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array, title_of_scalars
+from ._medium import Functions, MediumMapper, add_medium, named_extinction, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
 from ._surfaces import CONTOUR_NAMES, POLYGON_NAMES, Contours, Polygons
 from ._uniform import FAINTER, is_bare, uniform_colours
@@ -65,7 +65,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               tone_mapping: ToneMapping = "contrast", **old: Unpack[OldCellNames]) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
-    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`. Scalars vary inside cells as `interpolation` says.
+    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`, or an array of yours with ``opacity='extinction'``. Scalars vary inside cells as `interpolation` says.
     Arguments that `pyvista.Plotter.add_volume` also has mean the same here unless noted.
 
     Parameters
@@ -91,7 +91,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     opacity : str, float or sequence of float, optional
         A name: ``'linear'``, ``'geom'``, ``'sigmoid'``, ``'sigmoid_5'``, ..., each also with ``'_r'``, or ``'foreground'``; one value; or values
         from 0 to 1 at equal steps over `clim`. Evaluated in floating point, not in 8 bits. Opacities of points or cells are an array of the grid,
-        `opacity_scalars`. Default: the preset's if there is one, otherwise ``'linear'``.
+        `opacity_scalars`. ``'extinction'``: an array is the extinction coefficient itself, in 1/length of the grid, so that a length L of extinction b lets through exp(-b L). It is
+        `opacity_scalars`, otherwise `scalars`, otherwise an array ``Extinction`` or the default scalars; `opacity_unit_distance` and `opacity_clim` are not given then.
+        Default: the preset's if there is one, otherwise ``'linear'``.
     clim : sequence of float or float, optional
         Scalars of the first and last colour; one number c means (-c, c). Default: the preset's, otherwise the range of the finite scalars,
         widened by half a unit on either side if all are equal.
@@ -221,6 +223,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         grid, scalars, opacity_scalars, opacity, opacity_clim, opacity_unit_distance, cmap, clim = light.values()
     grid = _solid_grid(grid, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                               "contours['scalars']": surfaces.scalars, "layer_scalars": layer_scalars})
+    opacity_scalars = named_extinction(grid, opacity, scalars, opacity_scalars)
     uniform = scalars is None and (color is not None or is_bare(grid))
     if color is not None or uniform:
         cmap, show_scalar_bar = uniform_colours(plotter, color, cmap), bool(show_scalar_bar)

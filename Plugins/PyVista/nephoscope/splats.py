@@ -16,7 +16,7 @@ from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument, require_beside_scalars, require_number
 from ._copies import copied_table
 from ._from_xarray import add_earth_for, darken_for, title_with_units
-from ._medium import Functions, MediumMapper, add_medium, require_dataset, require_plotter, scalar_array, title_of_scalars
+from ._medium import Functions, MediumMapper, add_medium, named_extinction, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
 from ._pipeline import level_of_caller
 from ._uniform import FAINTER, concentration, is_bare, uniform_colours
@@ -142,7 +142,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         One colour for all splats; `scalars` then set the opacity only. Without `scalars` the medium is uniform. Default for a mesh without
         arrays: the theme's colour of meshes.
     cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim, opacity_scale
-        As in `add_cells`. ``opacity=0`` draws the vectors only, coloured by `scalars`. `opacity_scalars` must be on points or cells, like
+        As in `add_cells`, also ``opacity="extinction"``. ``opacity=0`` draws the vectors only, coloured by `scalars`. `opacity_scalars` must be on points or cells, like
         `scalars`.
     opacity_unit_distance : float, optional
         Length in world units over which a medium of opacity 1 has an optical depth of 1, > 0. Default: the length that gives rays through the
@@ -266,6 +266,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         preference, show_scalar_bar = "point", bool(show_scalar_bar)
     mesh = _sampled_mesh(mesh, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                                 "vectors": streaks.array, "vectors['scalars']": streaks.scalars, "sizes": sizes, "volumes": volumes})
+    opacity_scalars = named_extinction(mesh, opacity, scalars, opacity_scalars)
     uniform = scalars is None and (color is not None or is_bare(mesh))
     if color is not None or uniform:
         cmap, show_scalar_bar = uniform_colours(plotter, color, cmap), bool(show_scalar_bar)

@@ -69,7 +69,7 @@ def opacity_values(opacity: OpacityLike, n_colors: int = SAMPLES) -> np.ndarray:
 
 def _named_opacity(name: str, n_colors: int) -> np.ndarray:
     if name not in OPACITY_NAMES:
-        raise ValueError(f"opacity {name!r} is unknown. There are: {listed(OPACITY_NAMES)}.")
+        raise ValueError(f"opacity {name!r} is unknown. There are: {listed((*OPACITY_NAMES, 'extinction'))}.")
     if name == "foreground":
         return np.r_[0.0, np.ones(max(n_colors, 2) - 1)]
     base = name[:-2] if name.endswith("_r") else name
