@@ -139,6 +139,22 @@ class Blocks(unittest.TestCase):
         beside = np.argmin(np.linalg.norm(shaded.points - (1600, 1000, 500), axis=1))
         self.assertAlmostEqual(-np.log(shaded["SunTransmittance"][beside]), 0.02 * 450 * 16 / 15, delta=0.15)
 
+    def test_volumes_shade_one_way(self):
+        """A cloud in a volume of its own has the shadow of another, lit before, as `clouds`: the same shadow as in one mesh. The other has none of it."""
+        mesh, apart = ball(41), ball(41)
+        apart.origin = (2500, 0, 0)
+        together = nephoscope.sunlight(pyvista.MultiBlock([mesh, apart]), (1, 0, 0), multiple_scattering=False)
+        first = nephoscope.sunlight(apart, (1, 0, 0), multiple_scattering=False)
+        second = nephoscope.sunlight(mesh, clouds=first, multiple_scattering=False)
+        self.assertGreater(first["SunTransmittance"].max(), 0.999)
+        np.testing.assert_allclose(second["SunTransmittance"], second.sample(together)["SunTransmittance"], atol=0.03)
+        beside = np.argmin(np.linalg.norm(second.points - (1600, 1000, 500), axis=1))
+        self.assertAlmostEqual(-np.log(second["SunTransmittance"][beside]), 0.02 * 450 * 16 / 15, delta=0.15)
+        plotter = pyvista.Plotter()
+        self.addCleanup(plotter.close)
+        volume = nephoscope.add_cells(plotter, mesh, sun={"clouds": first, "multiple_scattering": False})
+        np.testing.assert_allclose(volume.mapper.dataset["SunTransmittance"], second["SunTransmittance"], atol=1e-6)
+
     def test_optics_of_blocks(self):
         mesh = slab(clwc=1)
         halves = pyvista.MultiBlock([mesh.extract_subset((0, 3, 0, 6, 0, 12)), mesh.extract_subset((3, 6, 0, 6, 0, 12))])
