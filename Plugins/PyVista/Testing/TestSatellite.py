@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.satellite_image against closed forms and energy: reflectances, places, the file; and the tone curve of pictures."""
+import json
 import os
+import sys
 import unittest
 import warnings
 from pathlib import Path
@@ -12,6 +14,9 @@ import pyvista
 from nephoscope import tone
 from nephoscope._ground_light import irradiance
 from nephoscope._refined import refined
+
+sys.path.insert(0, str(Path(__file__).parents[3] / "Filters/Sunlight/Testing"))
+import monte_carlo  # noqa: E402
 
 OUTPUT = Path(os.environ["NEPHOSCOPE_TEST_OUTPUT"])
 WIDE, LEVELS = 20.0, 41
@@ -72,6 +77,32 @@ class Slab(unittest.TestCase):
         self.assertEqual(reflectances, sorted(reflectances))
         self.assertGreater(reflectances[-1], 0.5)
         self.assertLess(reflectances[-1], 1)
+
+
+class StepCloud(unittest.TestCase):
+    """Single scattering in the step cloud of I3RC, seen from above, in grids whose points lie close together beside the steps."""
+
+    def columns(self, case, levels=193, steps=96):
+        name, zenith, azimuth, _ = monte_carlo.CASES[case]
+        cloud = monte_carlo.CLOUDS[name]
+        ends = np.array([-0.5, 15.5, 31.5])[:, None]  # the steps, in columns
+        across = np.concatenate([np.linspace(0, 32, steps + 1), (ends + np.delete(np.arange(-2, 2.01, 0.0625), 32)).ravel(), (ends + (-1e-4, 1e-4)).ravel()])
+        across = np.unique(across[(across >= 0) & (across <= 32) & (np.abs(across - ends).min(axis=0) > 1e-6)].round(6))
+        grid = pyvista.RectilinearGrid(cloud.across * across, cloud.across * np.array([0, 0.5, 1]), np.linspace(0, cloud.height, levels))
+        grid["Extinction"] = cloud.at(grid.points[:, 0], 0)
+        sun = {"direction": monte_carlo.sun_of(zenith, azimuth), "multiple_scattering": False, "sky_light": 0, "asymmetry": monte_carlo.ASYMMETRY, "periodic": True}
+        image = nephoscope.satellite_image(grid, "nadir", sun=sun, size=(512, 16), ground_albedo=0)
+        columns = cloud.column(image.x[8])
+        return np.array([image.reflectance[8, columns == column].mean() for column in range(32)])
+
+    def test_single_scattering(self):
+        """The radiance of each column agrees with the Monte Carlo table of one scattering to 0.5 %."""
+        for case in ("step 0", "step 60"):
+            table = json.loads(monte_carlo.TABLE.read_text())[case + " once"]
+            error = self.columns(case) / np.array(table["reflectance"]) - 1
+            print(f"{case}: worst column {100 * np.abs(error).max():.2f} %, rms {100 * np.sqrt((error**2).mean()):.2f} %; statistical error {100 * table['error']:.2f} %")
+            self.assertLess(table["error"], 2e-3)
+            self.assertLess(np.abs(error).max(), 5e-3)
 
 
 class Ground(unittest.TestCase):

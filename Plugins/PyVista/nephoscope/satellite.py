@@ -86,7 +86,7 @@ class SatelliteImage:
     def save(self, path: str | os.PathLike) -> None:
         """Writes a NetCDF file (.nc) with 32-bit floats and CF attributes. Needs netCDF4 or scipy."""
         if not os.fspath(path).endswith(".nc"):
-            raise ValueError(f"path is {os.fspath(path)!r}; it must end in .nc. GDAL converts the file to other formats: gdal_translate in.nc out.tif.")
+            raise ValueError(f"path is {os.fspath(path)!r}; it must end in .nc. For images of a globe GDAL makes a GeoTIFF of the file: gdalwarp -geoloc -t_srs EPSG:4326 NETCDF:image.nc:reflectance image.tif.")
         with _netcdf(os.fspath(path)) as file:
             file.Conventions = "CF-1.8"
             for name, length in zip(("y", "x"), self.reflectance.shape):
