@@ -17,8 +17,9 @@ from lit import add, light_of, values  # noqa: E402
 
 TABLES = json.loads(monte_carlo.TABLE.read_text())
 MEAN, COLUMN, ENERGY = 0.05, 0.10, 0.02  # demanded of reflectances; of the energy
-# The default angles meet the demand for reflectances, except in the row of cumulus, 23 %. With these the time is 3 times as long.
-ANGLES = {"cumulus": {"ZenithAngles": 6, "AzimuthAngles": 8}}
+# The default angles meet the demand for reflectances, except in the row of cumulus (23 %; with these the time is 3 times as long) and for the step cloud under the lowest sun (10.03 %).
+FINE = {"ZenithAngles": 6, "AzimuthAngles": 8}
+ANGLES = {"cumulus 30": FINE, "cumulus 60 absorbing": FINE, "step 75": {"ZenithAngles": 4}}
 # What is achieved where it is less. No number of levels, columns or angles meets the demand.
 MEANS = {"step 0 absorbing": 0.055}
 # What is achieved in columns of transmittance. The demand, 0.10, is met by two cases; the errors are beside steps and at the edges of shadows.
@@ -33,7 +34,7 @@ def columns(case):
     data.SetSpacing(cloud.across, 0.25, cloud.up)
     add(data, "Extinction", cloud.extinction[:, None].repeat(2, 1).ravel())
     start = time.process_time()
-    output, messages = light_of(data, sun, Albedo=albedo, Asymmetry=monte_carlo.ASYMMETRY, GroundAlbedo=0, SkyLight=0, PeriodicSides=True, **ANGLES.get(name, {}))
+    output, messages = light_of(data, sun, Albedo=albedo, Asymmetry=monte_carlo.ASYMMETRY, GroundAlbedo=0, SkyLight=0, PeriodicSides=True, **ANGLES.get(case, {}))
     start = time.process_time() - start
     assert messages == [], messages
     up, down, absorbed = (values(output, name).reshape(cloud.levels, 2, -1)[:, 0] / sun[2] for name in ("UpwardIrradiance", "Irradiance", "AbsorbedLight"))
