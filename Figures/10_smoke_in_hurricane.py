@@ -3,15 +3,14 @@
 """Figure 10: smoke in hurricane Jova, in and behind the clouds of the same forecast and over its mountains, and puffs that move with the wind.
 
 After the figure of flow volumes in Max, Crawfis and Becker (1993). Smoke is released from one polygon that faces the wind, south-west of the
-storm and 1.5 km above the sea: part of it is drawn round the storm and up, part goes on to the east. Cells of clouds and of smoke are one
-mesh, drawn in the order of their centroids as in the paper, so that each hides what is behind it; the mountains are opaque. Heights
-are exaggerated 45 times.
+storm and 1.5 km above the sea: part of it is drawn round the storm and up, part goes on to the east. Clouds and smoke are two volumes, drawn
+as one medium where they overlap; the paper drew the cells of both in the order of their centroids. The mountains are opaque. Heights are
+exaggerated 45 times.
 
 Writes the picture (1920 x 1080), the ParaView state that shows it again, and a short film that loops. A longer and larger one:
     ./nephoscope pvbatch Figures/10_smoke_in_hurricane.py --frames 240 --size 1920 1080
 Interrupted, it goes on with the next frame.
 """
-import math
 import os
 import sys
 
@@ -33,13 +32,13 @@ LONGEST_EDGE, SHORTEST_EDGE = 2.0e5, 4.0e4  # metres of the display: longer ones
 MAXIMUM_DENSITY = 3.0  # of that at the polygon: where the flow converges, smoke would become opaque
 PERIOD = 6 * HOUR  # from puff to puff
 PICTURE_FLOOR, FILM_FLOOR = 0.4, 0.1  # what stays between puffs
-UNIT_DISTANCE = 2.0e4  # metres of the display over which opacity 1 gives optical depth 1: through the densest smoke
+CLOUD_DISTANCE = 2.0e4  # metres of the display over which opacity 1 gives optical depth 1
+SMOKE_DISTANCE = 4.0e4  # the same of the density at the polygon
 THIN_CLOUD, CLOUD_OPACITY = 0.4, 0.05  # least fraction that is seen; opacity of full cloud
-# The array Medium is the cloud fraction in cells of clouds; in cells of smoke it is the density, counted from 2.
-COLOURS = [0.0, 0.72, 0.75, 0.80, 1.0, 0.95, 0.96, 0.97, 1.5, 1.0, 0.40, 0.05, 2.0 + MAXIMUM_DENSITY, 1.0, 0.40, 0.05]
+CLOUD_COLOURS = [0.0, 0.72, 0.75, 0.80, 1.0, 0.95, 0.96, 0.97]
+ORANGE = [1.0, 0.40, 0.05]
 # Value, opacity, midpoint, sharpness.
-OPACITY = [0.0, 0.0, 0.5, 0.0, THIN_CLOUD, 0.0, 0.5, 0.0, 0.7, 0.3 * CLOUD_OPACITY, 0.5, 0.0, 1.0, CLOUD_OPACITY, 0.5, 0.0,
-           2.0, 0.0, 0.5, 0.0, 2.0 + MAXIMUM_DENSITY, 1.0, 0.5, 0.0]
+IN_CLOUD = [0.0, 0.0, 0.5, 0.0, THIN_CLOUD, 0.0, 0.5, 0.0, 0.7, 0.3 * CLOUD_OPACITY, 0.5, 0.0, 1.0, CLOUD_OPACITY, 0.5, 0.0]
 IN_SIGHT = [76, 128, 12, 72, 0, 20]  # longitudes 170 to 40 degrees west, latitudes from 60 south, all levels
 MILLISECONDS = 80  # a frame is shown
 
@@ -57,21 +56,18 @@ def smoke_puffs(forecast):
                           Association="Points")
 
 
-def cloudy_cells(forecast):
+def show_clouds(forecast, view):
     near = pvs.ExtractSubset(Input=forecast, VOI=IN_SIGHT)
-    cells = pvs.Threshold(Input=near, Scalars=["POINTS", "cloud_fraction"], AllScalars=0)
-    cells.LowerThreshold, cells.UpperThreshold = THIN_CLOUD, 1.0
-    return cells
+    globe_scene.show_volume(near, view, "cloud_fraction", CLOUD_COLOURS, IN_CLOUD, CLOUD_DISTANCE)
 
 
-def show_media(forecast, puffs, view):
-    """Clouds and smoke as one mesh."""
-    media = pvs.AppendDatasets(Input=[
-        pvs.Calculator(Input=cloudy_cells(forecast), ResultArrayName="Medium", Function="cloud_fraction"),
-        pvs.Calculator(Input=puffs, ResultArrayName="Medium", Function="2+SmokeDensity")])
-    pvs.RenameSource("Clouds and smoke", media)
-    shown = globe_scene.show_volume(media, view, "Medium", COLOURS, OPACITY, UNIT_DISTANCE)
-    shown.CellCompositingMethod, shown.CellCompositingVisibilityOrder = "Cells", "Centroid"
+def show_smoke(puffs, view):
+    """One colour, as opaque as it is dense."""
+    shown = pvs.Show(puffs, view)
+    pvs.ColorBy(shown, None)
+    shown.SetRepresentationType("Cell Compositing")
+    shown.DiffuseColor = shown.AmbientColor = ORANGE
+    shown.CellCompositingAutomaticUnitDistance, shown.CellCompositingUnitDistance = 0, SMOKE_DISTANCE
 
 
 def show_caption(view):
@@ -105,7 +101,8 @@ view = globe_scene.make_view(
 globe_scene.drape_picture(globe_scene.show_ground(view, EXAGGERATION, ambient=0.3, diffuse=1.0))
 forecast = globe_scene.read_forecast(EXAGGERATION)
 puffs = smoke_puffs(forecast)
-show_media(forecast, puffs, view)
+show_clouds(forecast, view)
+show_smoke(puffs, view)
 caption = show_caption(view)
 if not wanted.no_picture:
     globe_scene.save(NAME, view)
