@@ -69,5 +69,56 @@ class Picked(unittest.TestCase):
             self.assertFalse(mapper.Pick(renderer, 30, 30))
 
 
+class Clicks(unittest.TestCase):
+    """`enable_picking`: two slabs of different scalars, one behind the other, and a wall between them in one half of the picture."""
+
+    def setUp(self):
+        self.plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))
+        self.addCleanup(self.plotter.close)
+        slab = pyvista.ImageData(dimensions=(5, 5, 3), origin=(-2, -2, 0))
+        for z, value in ((-4, 1.0), (0, 3.0)):
+            part = slab.translate((0, 0, z), inplace=False)
+            part["a"] = np.full(part.n_points, value)
+            actor = nephoscope.add_cells(self.plotter, part, clim=(0, 4), show_scalar_bar=False)
+            self.actors = [*getattr(self, "actors", []), actor]
+        self.plotter.view_xy()
+        self.plotter.show(auto_close=False)
+
+    def click(self, x, y):
+        self.plotter.iren._mouse_left_button_click(x, y)
+
+    def test_nearest_of_what_is_seen(self):
+        seen = []
+        nephoscope.enable_picking(self.plotter, seen.append)
+        self.click(30, 30)
+        self.assertEqual(len(seen), 1)
+        self.assertIs(seen[0].actor, self.actors[1])
+        self.assertEqual(seen[0].scalar, 3.0)
+        self.assertTrue(0 < seen[0].position[2] < 2)
+        self.assertIn(seen[0].point, self.actors[1].mapper.dataset.get_cell(seen[0].cell).point_ids)
+        self.actors[1].SetVisibility(False)
+        self.plotter.render()
+        self.click(30, 30)
+        self.assertIs(seen[1].actor, self.actors[0])
+        self.click(1, 1)  # beside
+        self.plotter.add_mesh(pyvista.Plane(center=(0, 0, 5), i_size=9, j_size=9))
+        self.plotter.render()
+        self.click(30, 30)  # on an opaque surface
+        self.assertEqual(len(seen), 2)
+
+    def test_the_window_shows_the_values_by_default(self):
+        nephoscope.enable_picking(self.plotter)
+        self.click(30, 30)
+        self.assertRegex(self.plotter.actors["picked"].GetText(2), r"^3 at \(.*\), cell \d+$")
+
+    def test_wrong_arguments(self):
+        with self.assertRaisesRegex(TypeError, "plotter is a int"):
+            nephoscope.enable_picking(3)
+        with self.assertRaisesRegex(TypeError, "callback is a str; it must be a function"):
+            nephoscope.enable_picking(self.plotter, "print")
+        with self.assertRaisesRegex(ValueError, "side is 'top'"):
+            nephoscope.enable_picking(self.plotter, side="top")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Clicks that pick what is seen in volumes of cells."""
+from __future__ import annotations
+
+import math
+from typing import Any, Callable, NamedTuple
+
+import pyvista
+
+from . import vtkCellCompositingMapper
+from ._medium import require_plotter
+
+
+class Picked(NamedTuple):
+    """What is seen at a pixel."""
+
+    position: tuple[float, float, float]  # world coordinates
+    cell: int
+    point: int  # of the cell, nearest to the position
+    scalar: float  # of the coloured array, at the position
+    actor: Any  # the volume; its mesh is actor.mapper.dataset
+
+
+def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] | None = None, *, side: str = "left") -> None:
+    """Pick with a click what is seen in the volumes of `add_cells`: the medium, or a contour surface.
+
+    The position is where the ray has become as opaque as ``mapper.SetPickOpacity`` sets, 0.1 by default. If several volumes are seen, the nearest
+    position counts. Behind an opaque surface nothing is picked. Dragging still turns the view.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The plotter; clicks in all its renderers pick.
+    callback : callable, optional
+        Called with what is picked: `position` (world coordinates), `cell` and `point` (numbers in ``actor.mapper.dataset``), `scalar` (of the coloured
+        array, at the position) and `actor` (the volume). Default: the window shows these values.
+    side : {"left", "right"}, default: "left"
+        The button of the mouse.
+
+    Raises
+    ------
+    TypeError
+        If `plotter` is not a plotter, or `callback` not a function.
+    ValueError
+        If `side` is neither of the two.
+
+    Examples
+    --------
+    >>> nephoscope.enable_picking(plotter, lambda picked: print(picked.cell, picked.scalar))  # doctest: +SKIP
+    """
+    require_plotter(plotter)
+    if callback is not None and not callable(callback):
+        raise TypeError(f"callback is a {type(callback).__name__}; it must be a function that takes what is picked.")
+    events = {"left": "LeftButtonPressEvent", "right": "RightButtonPressEvent"}
+    if side not in events:
+        raise ValueError(f"side is {side!r}; it must be 'left' or 'right'.")
+
+    def show(picked: Picked) -> None:
+        place = ", ".join(f"{x:.5g}" for x in picked.position)
+        plotter.add_text(f"{picked.scalar:.5g} at ({place}), cell {picked.cell}", font_size=10, name="picked")
+
+    def pick(*_: Any) -> None:
+        pixel = plotter.iren.interactor.GetEventPosition()
+        renderer = plotter.iren.interactor.FindPokedRenderer(*pixel)
+        eye = renderer.GetActiveCamera().GetPosition()
+        volumes = list(renderer.GetVolumes())  # Pick makes the collection anew
+        found = [_picked(volume, renderer, pixel) for volume in volumes if volume.GetVisibility()]
+        seen = sorted((picked for picked in found if picked), key=lambda picked: math.dist(picked.position, eye))
+        if seen:
+            (callback or show)(seen[0])
+
+    plotter.iren.add_observer(events[side], pick)
+
+
+def _picked(volume: Any, renderer: Any, pixel: tuple[int, int]) -> Picked | None:
+    mapper = volume.GetMapper()
+    if not isinstance(mapper, vtkCellCompositingMapper) or not mapper.Pick(renderer, *pixel):
+        return None
+    return Picked(mapper.GetPickPosition(), mapper.GetPickedCell(), mapper.GetPickedPoint(), mapper.GetPickedScalar(), volume)
