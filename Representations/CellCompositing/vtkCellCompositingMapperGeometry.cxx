@@ -18,19 +18,19 @@ using nephoscope::withThreads;
 
 namespace
 {
-/** `crossesWholeCells`: nothing that is asked for needs tetrahedra. */
-CellGeometry::Form formOfCells(bool byRays, bool crossesWholeCells, int interpolation)
+/** `hasParts`: polygons or layers, which need tetrahedra. `mixed`: with other media, whose rays cross the tetrahedra of cells. */
+CellGeometry::Form formOfCells(bool byRays, bool hasParts, bool mixed, int interpolation)
 {
   using Form = CellGeometry::Form;
   if (!byRays)
   {
     return Form::Tetrahedra;
   }
-  if (!crossesWholeCells)
+  if (hasParts)
   {
     return Form::Grid;
   }
-  if (interpolation == vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION)
+  if (mixed || interpolation == vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION)
   {
     return Form::WholeCells;
   }
@@ -90,8 +90,8 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   }
   scalars.Headroom = this->Internals->Light.IsUsed() ? this->Internals->Light.Headroom() : 0;
   bool built = false;
-  const CellGeometry::Form form =
-    formOfCells(this->UsesRays(), this->MayCrossWholeCells(), this->CellInterpolation);
+  const CellGeometry::Form form = formOfCells(
+    this->UsesRays(), this->HasPolygonsOrLayers(), this->Internals->Mixed, this->CellInterpolation);
   withThreads([&]() {
     built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
   });

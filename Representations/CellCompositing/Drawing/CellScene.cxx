@@ -49,8 +49,7 @@ bool CellScene::UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
   // All are asked, since each remembers what it was asked about.
   const bool mesh = this->Mesh.Changes(data);
   const bool layered = this->LayerValues.Changes(data, { layers, true, 0 });
-  const bool formed = this->Form != form;
-  this->Form = form;
+  const bool formed = !this->Geometry.IsOf(form);
   const bool ofColor = this->ColorValues.Changes(data, scalars);
   const bool ofOpacity = this->OpacityValues.Changes(data, opacity);
   if (!mesh && !layered && !formed && this->Geometry.Tetrahedra.Follow(data) &&

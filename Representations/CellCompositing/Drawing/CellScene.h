@@ -192,7 +192,6 @@ private:
   // What the stages were made from. Pointers are compared only.
   MeshIdentity Mesh;
   ValueIdentity ColorValues, OpacityValues, LayerValues, ContouredValues;
-  CellGeometry::Form Form = CellGeometry::Form::Tetrahedra;
   std::int64_t ContouredVersion = 0, VisibleVersion = 0;
   std::int64_t FieldOfTopology = 0; // version of the contoured field
   ProjectionOrder::Kind OrderKind = ProjectionOrder::Kind::None;

@@ -37,6 +37,16 @@ void CellGeometry::Clear()
   *this = CellGeometry();
 }
 
+bool CellGeometry::IsOf(Form form) const
+{
+  const auto dividesAll = [&](Form f) {
+    return f == Form::WholeCells ||
+      (f == Form::GridOrWarped && this->NumberOfWarpedCells + this->NumberOfFoldedCells == 0);
+  };
+  return form == this->BuiltForm || (dividesAll(form) && dividesAll(this->BuiltForm)) ||
+    (!this->Grid.IsEmpty() && form != Form::Tetrahedra);
+}
+
 std::array<Vector3, 4> CellGeometry::Vertices(std::size_t tetrahedron) const
 {
   const Tetrahedron& t = this->Tetrahedra[tetrahedron];
@@ -48,6 +58,7 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
   const ScalarSelection& opacity, vtkDataArray* layers, const Progress& progress, Form form)
 {
   this->Clear();
+  this->BuiltForm = form;
   this->LayerArray = layers;
   constexpr vtkIdType limit = std::numeric_limits<std::int32_t>::max() / 8;
   if (data->GetNumberOfPoints() > limit || data->GetNumberOfCells() > limit)

@@ -64,6 +64,8 @@ public:
   bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
   void Clear();
+  /** The last Build would have made the same of this form. */
+  bool IsOf(Form form) const;
 
   /** Tetrahedra that are drawn, hidden cells not counted. */
   std::int64_t NumberOfTetrahedra() const;
@@ -166,6 +168,7 @@ private:
     const ScalarSelection& opacity, const std::vector<std::int64_t>& first,
     const Progress& progress);
 
+  Form BuiltForm = Form::Tetrahedra;
   vtkDataArray* LayerArray = nullptr; // while building
   vtkSmartPointer<vtkUnsignedCharArray>
     Divisions; // of unstructured hexahedra, as in a grid; likewise

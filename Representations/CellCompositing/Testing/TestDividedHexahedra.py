@@ -151,6 +151,18 @@ class DividedHexahedra(unittest.TestCase):
             pictures.append(drawn.window.rgba())
         self.assertLessEqual(np.abs(pictures[0] - pictures[1]).max(), 2 * STEP)
 
+    def test_another_medium_costs_no_mesh(self):
+        """Hexahedra stay hexahedra, and are not built again, when another volume comes."""
+        for interpolation in ("Automatic", "Tetrahedra"):
+            drawn = Drawn(cells_of(), CLEAR_BELOW, trilinear=False)
+            getattr(drawn.mapper, f"SetCellInterpolationTo{interpolation}")()
+            drawn.picture()
+            built = []
+            drawn.mapper.AddObserver("ProgressEvent", lambda *_: built.append(1))
+            drawn.scene.add_volume(mapper(), with_values(even(4), smooth), RAMP)
+            drawn.window.render()
+            self.assertEqual(built, [], interpolation)
+
     def test_changes_of_what_is_drawn(self):
         """Contours and layers come and go, values change: the picture is that of a new mapper."""
         data = cells_of()
