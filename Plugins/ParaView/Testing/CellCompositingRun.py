@@ -10,7 +10,7 @@ import numpy as np
 from PluginTesting import clear, compose, empty_view, image, load_plugin, look, passed, pvs, solid, wanted
 
 
-def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(), balls=None, **properties):
+def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(), balls=None, beside=None, **properties):
     if not wanted(name):
         return
     view = empty_view()
@@ -18,6 +18,8 @@ def draw(name, source, array=("POINTS", "RTData"), opacity_scale=1, surfaces=(),
     display.CellCompositingOpacityScale = opacity_scale
     for property_name, value in properties.items():
         setattr(display, property_name, value)
+    if beside:
+        compose(beside, view, ("POINTS", "other"))
     for surface in surfaces:
         shown = pvs.Show(surface, view)
         solid(shown, [1, 0, 0])
@@ -69,6 +71,11 @@ draw("lit-tetrahedra", pvs.Tetrahedralize(Input=wavelet), **lit)
 draw("lit-trilinear", pvs.AppendDatasets(Input=rotated), CellCompositingCellInterpolation="Trilinear", **lit)
 draw("other-image", other, **both)
 draw("other-structured", pvs.Transform(Input=other), **both)
+# Two media in the same place, composited as one on every rank: a grid in an image, and an image in hexahedra.
+inner = pvs.Transform(Input=other)
+inner.Transform.Rotate, inner.Transform.Scale = [10, 20, 30], [0.6, 0.6, 0.9]
+draw("media", wavelet, beside=inner)
+draw("media-hexahedra", pvs.AppendDatasets(Input=coarse), opacity_scale=5, beside=other)
 vectors = pvs.Calculator(Input=rotated, ResultArrayName="v", Function="coordsX*iHat+coordsY*jHat+0.5*coordsZ*kHat")
 draw("magnitude", vectors, **{**lit, "CellCompositingContourArray": "v", "CellCompositingContourValues": [6]})
 # Cells so warped, some of them, that their tetrahedra overlap: all ranks draw their trilinear field.
