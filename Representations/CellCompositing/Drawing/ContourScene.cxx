@@ -66,6 +66,19 @@ std::array<float, 3> functionColor(vtkVolumeProperty* property, double value)
   return { { static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]) } };
 }
 
+bool ContourScene::Sources::operator==(const Sources& other) const
+{
+  return this->Field == other.Field && this->Surfaces == other.Surfaces &&
+    this->Tables == other.Tables && this->Property == other.Property &&
+    this->Changed == other.Changed;
+}
+
+bool ContourScene::FieldSources::operator==(const FieldSources& other) const
+{
+  return this->Geometry == other.Geometry && this->OfColor == other.OfColor &&
+    this->Smooth == other.Smooth && this->Array == other.Array && this->Changed == other.Changed;
+}
+
 void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion,
   vtkDataSet* data, const ScalarSelection& selection, const ContourSettings& settings,
   vtkVolumeProperty* property, const std::vector<int>& tables)
@@ -84,18 +97,18 @@ void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVer
       settings.SmoothNormals && settings.Lighting && drawn && onPoints);
   }
 
-  Description description;
+  Sources sources = { this->FieldVersion, {}, tables, property,
+    std::max(property->GetMTime(), colorMTime(property)) };
   for (const auto& s : surfaces)
   {
-    description.emplace_back(s.Value, s.Opacity, s.Color);
+    sources.Surfaces.insert(
+      sources.Surfaces.end(), { s.Value, s.Opacity, s.Color[0], s.Color[1], s.Color[2] });
   }
-  const decltype(this->Key) key = { this->FieldVersion, description, tables, property,
-    std::max(property->GetMTime(), colorMTime(property)) };
-  if (key == this->Key)
+  if (sources == this->Made)
   {
     return;
   }
-  this->Key = key;
+  this->Made = sources;
   ++this->Version;
   this->Contours.clear();
   this->Drawn.clear();
@@ -128,13 +141,13 @@ void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geomet
   vtkDataSet* data, const ScalarSelection& selection, bool smooth)
 {
   const bool ofColor = selection.Array == nullptr;
-  const decltype(this->FieldKey) key = { geometryVersion, ofColor, smooth, selection.Array,
+  const FieldSources sources = { geometryVersion, ofColor, smooth, selection.Array,
     ofColor ? 0 : selection.Array->GetMTime() };
-  if (key == this->FieldKey)
+  if (sources == this->MadeField)
   {
     return;
   }
-  this->FieldKey = key;
+  this->MadeField = sources;
   ++this->FieldVersion;
   this->OfColor = ofColor;
   this->Smooth = smooth;

@@ -15,8 +15,6 @@
 
 #include <array>
 #include <cstdint>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 class vtkDataSet;
@@ -84,9 +82,29 @@ private:
   double Range[2] = { 0, 1 }; // never equal
   double Greatest = 1;
   std::vector<float> Drawn; // values of the surfaces that are not transparent, ascending
-  using Description = std::vector<std::tuple<double, double, std::array<double, 3>>>;
-  std::tuple<std::int64_t, Description, std::vector<int>, vtkVolumeProperty*, vtkMTimeType> Key;
-  std::tuple<std::int64_t, bool, bool, vtkDataArray*, vtkMTimeType> FieldKey;
+
+  /** What the surfaces were made from. */
+  struct Sources
+  {
+    std::int64_t Field = 0;
+    std::vector<double> Surfaces; ///< value, opacity, red, green, blue of each
+    std::vector<int> Tables;
+    vtkVolumeProperty* Property = nullptr;
+    vtkMTimeType Changed = 0;
+    bool operator==(const Sources& other) const;
+  };
+  /** What scalars and gradients were made from. */
+  struct FieldSources
+  {
+    std::int64_t Geometry = 0;
+    bool OfColor = false;
+    bool Smooth = false;
+    vtkDataArray* Array = nullptr;
+    vtkMTimeType Changed = 0;
+    bool operator==(const FieldSources& other) const;
+  };
+  Sources Made;
+  FieldSources MadeField;
 };
 
 } // namespace nephoscope
