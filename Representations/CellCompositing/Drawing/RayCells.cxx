@@ -109,9 +109,9 @@ std::string RayCells::UploadBoundary(vtkOpenGLRenderWindow* window,
   const std::vector<BoundaryFace>& faces, const CellGeometry& geometry, const CellBox& box,
   const std::array<float, 2>& clearRange)
 {
-  constexpr std::size_t exactInFloat = std::size_t(1) << 24;
+  constexpr std::size_t most = std::size_t(1) << 28; // FaceNumber.glsl
   const std::size_t entered = faces.size() - this->NumberOfJumps;
-  if (entered >= exactInFloat)
+  if (entered >= most)
   {
     return "the mesh has more boundary faces than can be numbered; distribute it over more ranks";
   }

@@ -8,6 +8,7 @@
 #define ShaderText_h
 
 #include "ContourSurfacesShader.h"
+#include "FaceNumberShader.h"
 #include "OpaqueDepthShader.h"
 #include "OpticalSegmentShader.h"
 #include "PolygonSurfacesShader.h"
@@ -31,8 +32,9 @@ inline std::string specializedShader(const std::string& shader, const std::strin
   return withShaderParts(shader,
     { { "Constants", constants }, { "Arrays", arrayDeclarations(currentArrayLayout()) },
       { "TetrahedronInput", TetrahedronInputShader }, { "OpaqueDepth", OpaqueDepthShader },
-      { "OpticalSegment", OpticalSegmentShader }, { "TransferFunction", TransferFunctionShader },
-      { "ContourSurfaces", ContourSurfacesShader }, { "PolygonSurfaces", PolygonSurfacesShader } });
+      { "FaceNumber", FaceNumberShader }, { "OpticalSegment", OpticalSegmentShader },
+      { "TransferFunction", TransferFunctionShader }, { "ContourSurfaces", ContourSurfacesShader },
+      { "PolygonSurfaces", PolygonSurfacesShader } });
 }
 
 } // namespace nephoscope

@@ -6,6 +6,7 @@
 //   out: number of the face, distance from the eye's plane
 // Not every driver gives gl_PrimitiveID to a fragment shader without a geometry shader: the face comes with its vertices.
 //NEPHOSCOPE::Arrays
+//NEPHOSCOPE::FaceNumber
 in ivec2 pointAndFace;
 uniform FloatArray points; // position, scalar
 uniform mat4 MCVCMatrix;
@@ -18,7 +19,7 @@ flat out float faceVSOutput;
 void main()
 {
   vec4 positionVC = MCVCMatrix * vec4(element(points, pointAndFace.x).xyz, 1.0);
-  faceVSOutput = float(pointAndFace.y);
+  faceVSOutput = floatOfFace(pointAndFace.y);
   depthVSOutput = (-positionVC.z - depthRange.x) / (depthRange.y - depthRange.x);
   gl_Position = VCDCMatrix * positionVC;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The first that the shader of a pixel does. Returns the boundary face through which the ray enters; ends pixels without a ray to draw.
+//NEPHOSCOPE::FaceNumber
 ivec4 startPixel()
 {
   keepSteps();
@@ -18,5 +19,5 @@ ivec4 startPixel()
     }
   }
   keepUniforms();
-  return element(boundaryFaces, max(int(entry), 0));
+  return element(boundaryFaces, max(faceOfFloat(entry), 0));
 }

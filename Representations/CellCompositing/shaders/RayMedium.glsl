@@ -4,6 +4,7 @@
 // It follows the parts of RayCells.frag.glsl, whose walk it takes; every medium has all of their names with its number (ShaderInstance.h).
 // Places along the ray are distances from the plane in which the first medium's rays start, away from the eye.
 // Constant: mediumNumber.
+//NEPHOSCOPE::FaceNumber
 uniform float mediumPlace; // of the plane in which this medium's rays start
 
 float placePerDistance = 1.0; // along this ray, of this medium's coordinates
@@ -182,7 +183,7 @@ void placeBeside(int attempt)
 {
   if (lostMedium == mediumNumber)
   {
-    beside = besideCentre(attempt, element(boundaryFaces, max(int(entered[mediumNumber]), 0)).xyz);
+    beside = besideCentre(attempt, element(boundaryFaces, max(faceOfFloat(entered[mediumNumber]), 0)).xyz);
   }
 }
 
@@ -201,7 +202,7 @@ void startMedium()
   jumpFace = -1;
   pieceFrom = pieceTo = -3.0e38;
   pieceFront = pieceBack = vec4(0.0);
-  int face_ = int(entered[mediumNumber]);
+  int face_ = faceOfFloat(entered[mediumNumber]);
   mediumEnds = face_ == -1;
   if (face_ >= 0)
   {
