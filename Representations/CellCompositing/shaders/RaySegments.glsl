@@ -89,9 +89,10 @@ void startSegments(float opticalScale)
   opticalLength = opticalScale;
 }
 
+// What is behind adds less than 0.003/255.
 bool isOpaque()
 {
-  return light.a > 0.9999999;
+  return light.a > 0.99999;
 }
 
 vec4 accumulatedLight()
