@@ -49,8 +49,7 @@ bool vtkCellCompositingMapper::MayCrossWholeCells() const
 bool vtkCellCompositingMapper::IsTrilinear() const
 {
   const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  const bool simple = geometry.Lattice.Found && !this->Internals->Light.IsUsed();
-  const bool holds = simple || !geometry.Hexahedra.empty();
+  const bool holds = geometry.Lattice.Found || !geometry.Hexahedra.empty();
   return !geometry.DividesHexahedra &&
     (this->CellInterpolation == TRILINEAR_INTERPOLATION ||
       (this->CellInterpolation == AUTOMATIC_INTERPOLATION && holds));

@@ -75,7 +75,7 @@ std::string voxelsShader()
     { { "VoxelWalk", VoxelWalkShader }, { "VoxelContours", VoxelContoursShader },
       { "CubicContours", CubicContoursShader }, { "CubicPieces", CubicPiecesShader },
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "RaySegments", RaySegmentsShader } });
+      { "RaySegments", RaySegmentsShader }, { "CameraLight", CameraLightShader } });
 }
 
 std::string mediumShader(TetrahedronTopology topology)

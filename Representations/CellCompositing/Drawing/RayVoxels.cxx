@@ -129,9 +129,12 @@ std::string RayVoxels::Upload(vtkOpenGLRenderWindow* window, const CellGeometry&
 
 bool RayVoxels::CanDraw(const CellDrawing& drawing) const
 {
-  const bool opacityIsKnown = !drawing.Buffers.HasOpacityScalars() ||
-    (this->HasOpacity && drawing.Options.Trilinear && !drawing.Options.CameraLight);
-  return this->Lattice.Found && opacityIsKnown &&
+  const bool hasOpacity = drawing.Buffers.HasOpacityScalars(),
+             opacityIsKnown = !hasOpacity || (this->HasOpacity && drawing.Options.Trilinear);
+  // Light for the camera changes colours alone: neither where there is something to see, nor surfaces.
+  const bool lightIsKnown =
+    !drawing.Options.CameraLight || (hasOpacity && opacityIsKnown && !drawing.Contours.IsUsed());
+  return this->Lattice.Found && opacityIsKnown && lightIsKnown &&
     (!drawing.Contours.IsUsed() || drawing.Options.Trilinear) && !drawing.Contours.HasPolygons() &&
     !drawing.Buffers.HasLayers();
 }

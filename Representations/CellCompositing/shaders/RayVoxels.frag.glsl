@@ -32,6 +32,7 @@ float unity = 0.0; // RayCells.frag.glsl says why uniforms are copied
 //NEPHOSCOPE::ContourSurfaces
 //NEPHOSCOPE::RayRange
 //NEPHOSCOPE::CubicPieces
+//NEPHOSCOPE::CameraLight
 //NEPHOSCOPE::VoxelWalk
 
 void main()
@@ -41,6 +42,7 @@ void main()
   keepGrid();
   origin = rayPointVSOutput;
   along = normalize(rayDirectionVSOutput);
+  keepCameraLight(along);
   startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
   startHaze();
   walkVoxels(visibleRange());

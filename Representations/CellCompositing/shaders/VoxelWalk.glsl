@@ -106,13 +106,34 @@ vec2 rangeOf(vec4 a, vec4 b)
 
 vec4 cellSquares[2]; // of the field that was made last
 
-CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
+void readSquares(FloatArray fieldSquares, int first)
+{
+  cellSquares[0] = element(fieldSquares, first);
+  cellSquares[1] = element(fieldSquares, first + 1);
+}
+
+int firstPoint()
 {
   ivec3 c = ivec3(cell);
-  int first = c.x + c.y * stride.y + c.z * stride.z;
-  vec4 a = element(fieldSquares, first), b = element(fieldSquares, first + 1);
-  cellSquares[0] = a;
-  cellSquares[1] = b;
+  return c.x + c.y * stride.y + c.z * stride.z;
+}
+
+// The squares of the colour, as the camera sees them.
+void readLitSquares(int first)
+{
+  readSquares(squares, first);
+  for (int i = 0; i < 2 && cameraLight; ++i)
+  {
+    int point = first + i;
+    vec4 s = cellSquares[i];
+    cellSquares[i] = vec4(withCameraLight(s.x, point), withCameraLight(s.y, point + stride.y), withCameraLight(s.z, point + stride.z),
+      withCameraLight(s.w, point + stride.y + stride.z));
+  }
+}
+
+CubicField fieldOfSquares(vec2 ways)
+{
+  vec4 a = cellSquares[0], b = cellSquares[1];
   vec4 values;
   for (int i = 0; i < 4; ++i)
   {
@@ -124,6 +145,12 @@ CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
   vec4 cubic = cubicThrough(values);
   float beside = bendOfCubic(cubic) / 9.0; // of the chords between the values
   return CubicField(cubic, rangeOf(a, b), vec2(lowestOf(values) - beside, beside - lowestOf(-values)));
+}
+
+CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
+{
+  readSquares(fieldSquares, firstPoint());
+  return fieldOfSquares(ways);
 }
 
 // In pieces as RayHexahedra.frag.glsl has them; three of them if there are more.
@@ -146,7 +173,8 @@ void findCubicPieces(vec2 ways)
     opacityField = fieldInCell(opacitySquares, ways);
     numberOfPieces = countPieces(opacityField.cubic);
   }
-  colorField = fieldInCell(squares, ways);
+  readLitSquares(firstPoint());
+  colorField = fieldOfSquares(ways);
   numberOfPieces = max(numberOfPieces, countPieces(colorField.cubic));
   for (int i = 0; i < 4; ++i)
   {
