@@ -14,7 +14,7 @@
 #ifndef CoverageThreshold_h
 #define CoverageThreshold_h
 
-#include "GardnerTexture.h"
+#include "GardnerWaves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +23,28 @@
 namespace nephoscope
 {
 
-/** Cumulative normal distribution. */
-template <typename Real>
-Real normalShare(Real x)
+/** Bessel function J_k(x), whole k, from its integral; to rounding for |x| < 60. */
+inline double besselJ(int k, double x)
 {
-  return std::erfc(-x * Real(0.70710678118654752)) / 2;
+  constexpr int steps = 128;
+  double sum = 0;
+  for (int i = 0; i < steps; ++i)
+  {
+    const double theta = 2 * gardnerPi * i / steps;
+    sum += std::cos(k * theta - x * std::sin(theta));
+  }
+  return sum / steps;
+}
+
+/** The fourth powers of all amplitudes, unfiltered. */
+inline double gardnerFourth(const GardnerWaves& waves = paperWaves())
+{
+  double sum = 0;
+  for (const GardnerWave& wave : waves)
+  {
+    sum += std::pow(wave.Amplitude, 4);
+  }
+  return sum;
 }
 
 /** Distribution of a blend that has unit variance; "Fourth" is its ratio of fourth powers, 0 (Gaussian) to 1 (one texture). */
@@ -156,24 +173,6 @@ inline double coverOfThreshold(const GardnerWaves& waves, double threshold, doub
   return std::abs(t) >= CoverageThresholds::farthest
     ? double(t < 0)
     : BlendDistribution(1 / (variance * variance), waves).Above(t);
-}
-
-/**
- * Cloudy fraction of a pixel, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
- * "softness" is the standard deviation of the soft edge, in units of the texture.
- */
-inline double cloudShare(const CoverageThresholds& thresholds,
-  const FilteredTexture<double>& texture, double cover, double softness)
-{
-  if (cover <= 0 || cover >= 1)
-  {
-    return cover <= 0 ? 0 : 1;
-  }
-  const double threshold =
-    thresholdOfCover(thresholds, cover, softness, texture.Fourth / gardnerFourth());
-  const double width = std::sqrt(std::max(texture.Lost, 0.0) + softness * softness);
-  return width > 0 ? normalShare((texture.Mean - threshold) / width)
-                   : double(texture.Mean > threshold);
 }
 
 } // namespace nephoscope

@@ -5,7 +5,6 @@
 #define GardnerShaderConstants_h
 
 #include "CoverageThreshold.h"
-#include "GardnerTexture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "CellDrawing.h"
 #include "CellGeometry.h"
-#include "ProjectedTriangles.h"
+#include "OpacityTable.h"
 #include "ShaderText.h"
 #include "TrianglePass.h"
 

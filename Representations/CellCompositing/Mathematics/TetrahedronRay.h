@@ -20,9 +20,7 @@
 
 #include "Tetrahedron.h"
 
-#include <algorithm>
 #include <array>
-#include <limits>
 
 namespace nephoscope
 {
@@ -38,32 +36,6 @@ inline Vector4 eyeCoordinates(const std::array<Vector3, 4>& p, const Vector4& ey
     q[i] = planeSide(p[f[0]], p[f[1]], p[f[2]], eye) / planeSide(p[f[0]], p[f[1]], p[f[2]], vertex);
   }
   return q;
-}
-
-/** Parameter u at which the ray from a back-face point with coordinates lambda leaves through a front face. */
-inline double frontParameter(const Vector4& lambda, const Vector4& q, double eyeW)
-{
-  double u = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 4; ++i)
-  {
-    const double slope = q[i] - eyeW * lambda[i];
-    if (slope < 0)
-    {
-      u = std::min(u, std::max(lambda[i], 0.0) / -slope);
-    }
-  }
-  return u;
-}
-
-/** Barycentric coordinates at parameter u. */
-inline Vector4 coordinatesAt(const Vector4& lambda, const Vector4& q, double eyeW, double u)
-{
-  Vector4 result;
-  for (int i = 0; i < 4; ++i)
-  {
-    result[i] = lambda[i] + u * (q[i] - eyeW * lambda[i]);
-  }
-  return result;
 }
 
 } // namespace nephoscope

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One tetrahedron as a fan of triangles around its thick vertex (ShirleyTuchman1990; ProjectedTriangles.h).
+// One tetrahedron as a fan of triangles around its thick vertex (ShirleyTuchman1990; ProjectedTriangles.glsl).
 //   in:  the number of the tetrahedron
 //   out: what is linear on the screen inside each triangle. z is the distance from the eye along the view axis.
 //        in perspective: 1 / z_front, 1 / z_front - 1 / z_back, (x, y) of the ray at z = 1, attributes divided by z;

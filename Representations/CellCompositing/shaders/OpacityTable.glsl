@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// 1 - exp(-u) from a table over [0, alphaTableEnd], read with linear interpolation (ProjectedTriangles.h).
+// 1 - exp(-u) from a table over [0, alphaTableEnd], read with linear interpolation (OpacityTable.h).
 uniform FloatArray alphaTable;
 uniform float alphaTableEnd;
 uniform int alphaTableLast; // index of the last entry; arrays that are 2-D textures do not know it

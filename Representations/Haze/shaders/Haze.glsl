@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Haze between the eye and a place, as Haze.h has it: lengths in scale heights but for places in view coordinates (VC).
+// Haze between the eye and a place, as Testing/Haze.h has it: lengths in scale heights but for places in view coordinates (VC).
 //   hazeBefore(placeVC)               what haze adds from the eye to the place, and T of the air there
 //   hazeAirlight(...)                 what haze adds on the way: (1 - T) C, or with a sun the sum of what each part of it scatters
 //   hazedColor(rgb, placeVC)          colour of a surface of any opacity as it is seen through the air: T rgb + (1 - T) C

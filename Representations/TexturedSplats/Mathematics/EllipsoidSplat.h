@@ -11,24 +11,6 @@
 
 namespace nephoscope
 {
-// How a ray passes a splat.
-struct SplatPassage
-{
-  double Distance = 0.0;  // from the centre, in cells: the argument of the footprint
-  double Thickness = 0.0; // factor on the footprint, length per cell along the ray
-  double Depth = 0.0;     // along the ray from its origin to the point nearest to the centre
-};
-
-// `direction` has unit length; `offset` is the ray's origin minus the splat's centre.
-inline SplatPassage PassSplat(
-  const SplatMatrix& inverseJacobian, const Vector3& offset, const Vector3& direction)
-{
-  const Vector3 k = Times(inverseJacobian, direction);
-  const Vector3 o = Times(inverseJacobian, offset);
-  const double length = norm(k);
-  return { norm(cross(o, k)) / length, 1.0 / length, -dot(o, k) / (length * length) };
-}
-
 // How far the ball of one cell reaches along a vector, which must not be 0.
 inline double ReachAlong(const SplatMatrix& jacobian, const Vector3& vector)
 {

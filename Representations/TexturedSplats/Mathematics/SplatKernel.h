@@ -22,17 +22,6 @@ constexpr double inner[4] = { 0.557526, 0.0, -1.157743, 0.671033 }; // of powers
 constexpr double outerSquare = 0.067599;                            // of (radius - r)^2
 constexpr double outerCube = 0.282474;
 
-inline double Value(double r)
-{
-  if (r >= radius)
-  {
-    return 0.0;
-  }
-  const double d = radius - r;
-  return r <= innerRadius ? inner[0] + r * r * (inner[2] + r * inner[3])
-                          : d * d * (outerSquare + d * outerCube);
-}
-
 // The integrals of r^0 .. r^3 along a line at distance rho of the centre, from the point nearest to it to z ahead.
 inline std::array<double, 4> LineMoments(double rho, double z)
 {
@@ -79,28 +68,9 @@ constexpr std::array<double, 12> footprintCoefficients = { { 0.32783254, -0.1897
   0.00415959703, 0.280323296, -0.40178336, -1.30090379, 0.814175339, 2.8502731, 0.327845877,
   -2.03252278, -1.00148049 } };
 
-inline double FootprintPolynomial(double q)
-{
-  double sum = 0.0;
-  for (std::size_t i = footprintCoefficients.size(); i-- > 0;)
-  {
-    sum = sum * (2.0 * q - 1.0) + footprintCoefficients[i];
-  }
-  return q < 1.0 ? (1.0 - q) * (1.0 - q) * (1.0 - q) * sum : 0.0;
-}
-
-// The share of the kernel along a ray that lies before a cut, in half chords from -1 to 1, for shaders that have no time for KernelShareBefore: with x = |cut| it is
+// The share of the kernel along a ray that lies before a cut, in half chords from -1 to 1, for shaders: with x = |cut| it is
 // (1 - x)^3 (1/2 + x (c0 + c1 q + x (c2 + c3 q))) on the far side, to 8e-4 of a splat's peak.
 constexpr std::array<double, 4> shareCoefficients = { { 0.265042, 0.417971, -0.843034, 0.106023 } };
-
-inline double ShareBefore(double cut, double q)
-{
-  const auto& c = shareCoefficients;
-  const double x = std::min(std::abs(cut), 1.0);
-  const double behind =
-    (1.0 - x) * (1.0 - x) * (1.0 - x) * (0.5 + x * (c[0] + c[1] * q + x * (c[2] + c[3] * q)));
-  return cut < 0.0 ? behind : 1.0 - behind;
-}
 
 // Mean square distance from the centre along one axis, weighted by the kernel.
 constexpr double variance = 0.199406;
@@ -145,12 +115,6 @@ inline double Footprint(double rho)
   constexpr double twoPi = 6.283185307179586;
   return rho >= radius ? 0.0 : std::exp(-0.5 * rho * rho / variance) / (twoPi * variance);
 }
-
-// Along a line it is not cut off.
-inline double ShareBefore(double z)
-{
-  return 0.5 * std::erfc(-z / std::sqrt(2.0 * variance));
-}
 }
 
 enum class SplatKernel
@@ -172,21 +136,6 @@ inline double KernelFootprint(SplatKernel kernel, double rho)
   return kernel == SplatKernel::Cubic  ? cubic_kernel::Footprint(rho)
     : kernel == SplatKernel::Quadratic ? quadratic_kernel::Footprint(rho)
                                        : gaussian_kernel::Footprint(rho);
-}
-
-// The share of the kernel's mass along a line at distance rho of its centre that lies before z, counted from the point nearest to the
-// centre. The quadratic kernel, a footprint without depth, is as deep as the cubic one of the same radius.
-inline double KernelShareBefore(SplatKernel kernel, double rho, double z)
-{
-  if (kernel == SplatKernel::Gaussian)
-  {
-    return gaussian_kernel::ShareBefore(z);
-  }
-  const double scale = cubic_kernel::radius / KernelRadius(kernel);
-  const double half = cubic_kernel::FootprintUpTo(scale * rho, cubic_kernel::radius);
-  const double part =
-    half > 0.0 ? cubic_kernel::FootprintUpTo(scale * rho, scale * std::abs(z)) / half : 1.0;
-  return z < 0.0 ? 0.5 - 0.5 * part : 0.5 + 0.5 * part;
 }
 }
 

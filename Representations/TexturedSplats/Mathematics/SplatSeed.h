@@ -66,19 +66,6 @@ inline SplatSeed SeedOf(const double place[3], double cell = 0.0)
   return { static_cast<float>(hash >> 40) * step,
     static_cast<float>((hash >> 8) & 0xffffff) * step };
 }
-
-// Where in its cell a segment is: -1/2 to 1/2 along each edge.
-inline std::array<double, 3> JitterOf(float seed)
-{
-  std::array<double, 3> jitter;
-  constexpr double factors[3] = { 1.0, 61.0, 3721.0 };
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const double number = seed * factors[axis];
-    jitter[axis] = number - static_cast<double>(static_cast<std::int64_t>(number)) - 0.5;
-  }
-  return jitter;
-}
 }
 
 #endif

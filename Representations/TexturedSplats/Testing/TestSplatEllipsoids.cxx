@@ -2,16 +2,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** What rays meet of ellipsoidal splats, against quadrature along the ray. */
 #include "EllipsoidSplat.h"
-#include "SplatKernel.h"
+#include "SplatKernelValues.h"
 #include "SplatOpacity.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
+using namespace nephoscope;
+
 namespace
 {
-using namespace nephoscope;
+// How a ray passes a splat.
+struct SplatPassage
+{
+  double Distance = 0.0;  // from the centre, in cells: the argument of the footprint
+  double Thickness = 0.0; // factor on the footprint, length per cell along the ray
+  double Depth = 0.0;     // along the ray from its origin to the point nearest to the centre
+};
+
+// `direction` has unit length; `offset` is the ray's origin minus the splat's centre.
+inline SplatPassage PassSplat(
+  const SplatMatrix& inverseJacobian, const Vector3& offset, const Vector3& direction)
+{
+  const Vector3 k = Times(inverseJacobian, direction);
+  const Vector3 o = Times(inverseJacobian, offset);
+  const double length = norm(k);
+  return { norm(cross(o, k)) / length, 1.0 / length, -dot(o, k) / (length * length) };
+}
 
 double integrate(const SplatMatrix& inverse, const Vector3& offset, const Vector3& e)
 {

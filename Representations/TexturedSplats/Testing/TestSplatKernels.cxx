@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /** Kernels and footprints against quadrature, published values and lattice sums. */
 #include "SplatCost.h"
-#include "SplatKernel.h"
+#include "SplatKernelValues.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// SplatFootprint.glsl against SplatKernel.h, and VectorTexture.glsl against VectorTexture.h.
+// SplatFootprint.glsl against SplatKernelValues.h, and VectorTexture.glsl against VectorTextureValues.h.
 #include "ShaderRunner.h"
 
+#include "SplatKernelValues.h"
 #include "SplatShaderConstants.h"
+#include "VectorTextureValues.h"
 
 #include "TestRandom.h"
 

@@ -3,9 +3,9 @@
 /** Textures of vector splats: coverage of segments; motion, mean, blur and sense of streaks; the kernel that is lengthened for them. */
 #include "ContrastingColor.h"
 #include "EllipsoidSplat.h"
-#include "SplatKernel.h"
+#include "SplatKernelValues.h"
 #include "SplatSeed.h"
-#include "VectorTexture.h"
+#include "VectorTextureValues.h"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,19 @@ using namespace nephoscope;
 
 namespace
 {
+// Where in its cell a segment is: -1/2 to 1/2 along each edge.
+inline std::array<double, 3> JitterOf(float seed)
+{
+  std::array<double, 3> jitter;
+  constexpr double factors[3] = { 1.0, 61.0, 3721.0 };
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double number = seed * factors[axis];
+    jitter[axis] = number - static_cast<double>(static_cast<std::int64_t>(number)) - 0.5;
+  }
+  return jitter;
+}
+
 constexpr streaks::Shape shape{ 4.0, 2.4, 0.1, 1.0, 0.0 };
 
 // By midpoints over one period and one row, whose pattern is not periodic across: over many rows.

@@ -11,7 +11,7 @@ uniform float kernelRadius; // cells
 // The line integral of the kernel as a function of q = (distance / radius)^2, in [0, 1].
 float footprint(float q)
 {
-  if (kernel == 0) // SplatKernel.h: cubic_kernel::FootprintPolynomial, in an order with few steps one after the other
+  if (kernel == 0) // SplatKernel.h: the polynomial of footprintCoefficients, in an order with few steps one after the other
   {
     float rest = 1.0 - q;
     float x = q - rest;

@@ -96,7 +96,7 @@ void emitSegmentAt(vec3 middle, vec3 half_, float weight, SplatVector vector, ve
   EndPrimitive();
 }
 
-// Somewhere in the cell, moved on along the vector: MoveSegment of VectorTexture.h.
+// Somewhere in the cell, moved on along the vector: VectorTexture.h.
 void emitSegment(SplatVector vector, vec3 centerVC, mat3 jacobianVC)
 {
   vec3 jitter = fract(vector.color.a * vec3(1.0, 61.0, 3721.0)) - 0.5;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn on a vector splat: VectorTexture.h, which explains it, for the fragment shader.
+// What is drawn on a vector splat (VectorTexture.h); Testing/VectorTextureValues.h explains each function.
 
 // Lengths as they are seen, in one unit.
 struct StreakShape

@@ -16,6 +16,32 @@ using namespace nephoscope_test;
 
 namespace
 {
+/** Parameter u at which the ray from a back-face point with coordinates lambda leaves through a front face. */
+inline double frontParameter(const Vector4& lambda, const Vector4& q, double eyeW)
+{
+  double u = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 4; ++i)
+  {
+    const double slope = q[i] - eyeW * lambda[i];
+    if (slope < 0)
+    {
+      u = std::min(u, std::max(lambda[i], 0.0) / -slope);
+    }
+  }
+  return u;
+}
+
+/** Barycentric coordinates at parameter u. */
+inline Vector4 coordinatesAt(const Vector4& lambda, const Vector4& q, double eyeW, double u)
+{
+  Vector4 result;
+  for (int i = 0; i < 4; ++i)
+  {
+    result[i] = lambda[i] + u * (q[i] - eyeW * lambda[i]);
+  }
+  return result;
+}
+
 using Points = TetrahedronPoints;
 
 struct AffineMap

@@ -7,7 +7,7 @@
 #ifndef GardnerTexture_h
 #define GardnerTexture_h
 
-#include "GardnerWaves.h"
+#include "CoverageThreshold.h"
 
 #include <algorithm>
 #include <array>
@@ -98,19 +98,6 @@ FilteredTexture<Real> filteredGardnerTexture(const Point3<Real>& p,
   return result;
 }
 
-/** Bessel function J_k(x), whole k, from its integral; to rounding for |x| < 60. */
-inline double besselJ(int k, double x)
-{
-  constexpr int steps = 128;
-  double sum = 0;
-  for (int i = 0; i < steps; ++i)
-  {
-    const double theta = 2 * gardnerPi * i / steps;
-    sum += std::cos(k * theta - x * std::sin(theta));
-  }
-  return sum / steps;
-}
-
 /**
  * Exactly, for a Gaussian filter: cos(theta + s sin chi) is the sum over k of J_k(s) cos(theta + k chi), plane waves, each of which
  * the filter damps by exp(-(phase variance) / 2).
@@ -144,17 +131,6 @@ inline FilteredTexture<double> exactlyFilteredGardnerTexture(const Point3<double
   return result;
 }
 
-/** The fourth powers of all amplitudes, unfiltered. */
-inline double gardnerFourth(const GardnerWaves& waves = paperWaves())
-{
-  double sum = 0;
-  for (const GardnerWave& wave : waves)
-  {
-    sum += std::pow(wave.Amplitude, 4);
-  }
-  return sum;
-}
-
 /**
  * Where a set of texture coordinates reads the texture. Set 0 reads it at p, set 1 mirrored and shifted: its waves have other
  * directions, so that the two are independent even where their coordinates agree, in calm air.
@@ -181,6 +157,31 @@ FilteredTexture<Real> blendTextures(const FilteredTexture<Real>& first,
   result.Lost = w1 * w1 * first.Lost + w2 * w2 * second.Lost;
   result.Fourth = w1 * w1 * w1 * w1 * first.Fourth + w2 * w2 * w2 * w2 * second.Fourth;
   return result;
+}
+
+/** Cumulative normal distribution. */
+template <typename Real>
+Real normalShare(Real x)
+{
+  return std::erfc(-x * Real(0.70710678118654752)) / 2;
+}
+
+/**
+ * Cloudy fraction of a pixel, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
+ * "softness" is the standard deviation of the soft edge, in units of the texture.
+ */
+inline double cloudShare(const CoverageThresholds& thresholds,
+  const FilteredTexture<double>& texture, double cover, double softness)
+{
+  if (cover <= 0 || cover >= 1)
+  {
+    return cover <= 0 ? 0 : 1;
+  }
+  const double threshold =
+    thresholdOfCover(thresholds, cover, softness, texture.Fourth / gardnerFourth());
+  const double width = std::sqrt(std::max(texture.Lost, 0.0) + softness * softness);
+  return width > 0 ? normalShare((texture.Mean - threshold) / width)
+                   : double(texture.Mean > threshold);
 }
 
 } // namespace nephoscope

@@ -18,6 +18,7 @@
 #ifndef ProjectedTriangles_h
 #define ProjectedTriangles_h
 
+#include "OpacityTable.h"
 #include "TetrahedronRay.h"
 
 #include <algorithm>
@@ -87,24 +88,6 @@ inline int projectionClass(const TetrahedronProjection& p)
     triangles += isFanEdge(p, edge[0], edge[1]);
   }
   return classOfTriangles[triangles];
-}
-
-// ---- opacity of the optical depth u ----------------------------------------------------------------------------------
-
-/** Default size of the table: its error is (16 / 1023)^2 / 8 = 3.1e-5 per cell, and 1.1e-7 beyond its end. */
-constexpr int opacityTableEntries = 1024;
-constexpr double opacityTableEnd = 16;
-
-/** 1 - exp(-u) at equal steps of u from 0 to `end`. */
-inline std::vector<float> makeOpacityTable(
-  int entries = opacityTableEntries, double end = opacityTableEnd)
-{
-  std::vector<float> table;
-  for (int i = 0; i < entries; ++i)
-  {
-    table.push_back(static_cast<float>(-std::expm1(-end * i / (entries - 1))));
-  }
-  return table;
 }
 
 /** The table read with linear interpolation, as a texture unit does; the last entry beyond its end. */
