@@ -21,7 +21,6 @@ public:
   std::string Take(const std::vector<DensityBlock>& blocks);
 
   std::string GetShaderCode() const override;
-  int GetNumberOfTextures() const override { return 3; }
   std::string Upload(vtkOpenGLRenderWindow* window) override;
   void Activate() override;
   void Deactivate() override;

@@ -25,7 +25,6 @@ public:
   DensityImage(vtkImageData* image, vtkDataArray* array);
 
   std::string GetShaderCode() const override;
-  int GetNumberOfTextures() const override { return 1; }
   std::string Upload(vtkOpenGLRenderWindow* window) override;
   void Activate() override;
   void Deactivate() override;

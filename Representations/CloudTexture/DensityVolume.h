@@ -28,8 +28,6 @@ public:
 
   /** Declares meanDensityOfVolume(start, end), places in view coordinates. Needs the context. */
   virtual std::string GetShaderCode() const = 0;
-  /** How many units of OpenGL it takes. */
-  virtual int GetNumberOfTextures() const = 0;
 
   /** Empty, or what went wrong. Does nothing where it has been done. */
   virtual std::string Upload(vtkOpenGLRenderWindow* window) = 0;

@@ -13,7 +13,6 @@ import time
 import nephoscope
 import numpy as np
 from nephoscope_testing import weather
-from vtkmodules.vtkCommonCore import vtkSMPTools
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamSurface
 from vtkmodules.vtkFiltersSources import vtkLineSource

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """What holds for every file of the project: licence lines, no path of one machine, documents that agree with the code."""
+import ast
 import pathlib
 import re
 import subprocess
@@ -271,11 +272,31 @@ def check_readmes(files):
                 yield f"{readme.relative_to(TOP)}: {name} is named {named.count(name)} times in the reading order, not once"
 
 
+def imported_names(tree):
+    """{name: line of the import statement}"""
+    imports = (node for node in ast.walk(tree) if isinstance(node, ast.Import) or isinstance(node, ast.ImportFrom) and node.module != "__future__")
+    return {alias.asname or alias.name.split(".")[0]: node.lineno for node in imports for alias in node.names}
+
+
+def check_imports(files):
+    """Python sources use what they import; "noqa: F401" marks a module that is imported for its effect."""
+    for path in files:
+        if path.suffix != ".py" or path.name == "__init__.py" or path.is_relative_to(TOP / "Figures"):
+            continue
+        text = text_of(path)
+        tree = ast.parse(text)
+        used = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+        used |= {node.value for node in ast.walk(tree) if isinstance(node, ast.Constant)}  # in __all__
+        for name, line in imported_names(tree).items():
+            if name not in used and "F401" not in text.splitlines()[line - 1]:
+                yield f"{path.relative_to(TOP)}:{line}: {name} is imported but not used"
+
+
 def main():
     files = tracked_files()
     problems = []
     for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_installed, check_references, check_test_targets, check_changelog, check_sentences,
-                  check_layers, check_include_paths, check_readmes):
+                  check_layers, check_include_paths, check_readmes, check_imports):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
     return 1 if problems or not files else 0

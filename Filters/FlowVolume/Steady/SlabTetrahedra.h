@@ -29,8 +29,6 @@ struct Slab
 struct SlabSums
 {
   double Mass = 0.0;
-  double DensityTimesVolume =
-    0.0; // over tetrahedra; differs from Mass as their volume from that of bilinear prisms
   std::vector<std::size_t>
     Folded; // triangles of Below with tetrahedra inside out, which are not written
 };

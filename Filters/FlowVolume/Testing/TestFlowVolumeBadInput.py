@@ -6,7 +6,6 @@ import unittest
 import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.flow import flow_volume, update
-from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet, vtkPolyData, vtkTable
 from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkThreshold

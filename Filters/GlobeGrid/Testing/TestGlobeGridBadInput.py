@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkObject
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkRectilinearGrid
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkRectilinearGrid
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 import globe_fields as gf

@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pieces add up to the whole, threads change nothing, time passes through, blocks are taken one by one."""
-import hashlib
 import os
 import unittest
 

@@ -38,8 +38,6 @@ struct TextureSets
 
   int Older(double time) const { return this->Age(0, time) >= this->Age(1, time) ? 0 : 1; }
 
-  double OldestBirth(double time) const { return this->Birth(this->Older(time), time); }
-
   // A triangle: 0 at birth and death, 1 in the middle of life. That of set 1 is what is left to 1, so that the two add
   // up to 1 exactly, and a set that is born at this very time weighs exactly 0.
   double Weight(int set, double time) const

@@ -5,7 +5,7 @@ import unittest
 
 import numpy as np
 from nephoscope_testing import meshes, threads
-from nephoscope_testing.texture import DAY, Globe, advection, of_place, rotation, update
+from nephoscope_testing.texture import DAY, Globe, advection, of_place, update
 from nephoscope_testing.time_series import TimeSeries
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP

@@ -6,7 +6,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (VTK_TETRA, vtkCellArray, vtkDataObject, vtkDataSetAttributes, vtkImageData,
-                                           vtkMultiBlockDataSet, vtkStructuredGrid, vtkUnstructuredGrid)
+                                           vtkMultiBlockDataSet, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
 
 CELLS = 16  # along each axis of [-1, 1]^3

@@ -9,7 +9,6 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkIdList
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
 from vtkmodules.vtkParallelCore import vtkMultiProcessController

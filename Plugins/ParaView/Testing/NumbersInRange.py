@@ -4,7 +4,7 @@
 import math
 import time
 
-from PluginTesting import check, image, listen, load_plugin, new_view, passed, pvs, servermanager
+from PluginTesting import check, image, listen, load_plugin, new_view, passed, pvs
 
 VALUES = (math.nan, math.inf, -math.inf, -1.0, -0.2, 0.0, 1e30)
 LONGEST = 20.0  # seconds that any of them may take

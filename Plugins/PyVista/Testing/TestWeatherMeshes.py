@@ -13,7 +13,7 @@ import pyvista
 import xarray as xr
 from nephoscope.weather.healpix import healpix_centres
 from nephoscope.weather.prisms import offsets
-from weather_data import AXIS, REGULAR, along_rows, rotation, write_grib
+from weather_data import AXIS, along_rows, rotation, write_grib
 
 HALF = np.array([0.0, 1000, 3000, 9000])  # m
 FULL = 0.5 * (HALF[1:] + HALF[:-1])

@@ -5,7 +5,6 @@ import tempfile
 import unittest
 from pathlib import Path
 
-import nephoscope
 import numpy as np
 import pyvista
 import xarray as xr

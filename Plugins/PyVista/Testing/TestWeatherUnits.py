@@ -6,7 +6,6 @@ import unittest
 import warnings
 from pathlib import Path
 
-import nephoscope
 import numpy as np
 import pyvista
 import xarray as xr

@@ -6,7 +6,6 @@ from __future__ import annotations
 import re
 from typing import Any, Callable, Literal
 
-import numpy as np
 import pyvista
 
 from . import vtkCloudOptics

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-import numpy as np
 import pyvista
 from pyvista.core.errors import MissingDataError
 

@@ -14,7 +14,7 @@ import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.checks import ImageTestCase, cells_of
 from nephoscope_testing.compare import Difference, edge_mask
-from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.offscreen import float_image
 from nephoscope_testing.transfer import Transfer, constant
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource

@@ -7,7 +7,7 @@ import unittest
 
 import numpy as np
 from nephoscope_testing import meshes, smoke
-from nephoscope_testing.checks import FLOAT_TOLERANCE, ImageTestCase, cells_of, mapper
+from nephoscope_testing.checks import FLOAT_TOLERANCE, ImageTestCase, mapper
 from nephoscope_testing.compare import edge_mask
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.reference import opaque_distance

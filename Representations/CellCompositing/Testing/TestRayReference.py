@@ -8,7 +8,6 @@ import numpy as np
 from nephoscope_testing import meshes, polyhedra, reference
 from nephoscope_testing.transfer import Transfer, constant
 from nephoscope_testing.view import View
-from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 

@@ -7,7 +7,7 @@ import unittest
 import numpy as np
 from nephoscope_testing import meshes
 from nephoscope_testing.checks import mapper
-from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.offscreen import Window
 from nephoscope_testing.transfer import Transfer
 from TestTrilinearCells import CLEAR_BELOW, COLOURS, RAMP, STEP, VIEWS, Drawn, dense, even, smooth, steep, trilinear_field, with_values
 

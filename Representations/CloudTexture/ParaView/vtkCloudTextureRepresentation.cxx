@@ -147,11 +147,6 @@ vtkCloudTextureRepresentation::vtkCloudTextureRepresentation()
 
 vtkCloudTextureRepresentation::~vtkCloudTextureRepresentation() = default;
 
-vtkCloudTextureMapper* vtkCloudTextureRepresentation::GetCloudMapper()
-{
-  return this->CloudMapper;
-}
-
 void vtkCloudTextureRepresentation::SetDensityVolumeConnection(vtkAlgorithmOutput* volume)
 {
   this->SetInputConnection(1, volume);

@@ -93,9 +93,6 @@ public:
   void RemoveDensityVolume();
   ///@}
 
-  /** For tests. */
-  vtkCloudTextureMapper* GetCloudMapper();
-
 protected:
   vtkCloudTextureRepresentation();
   ~vtkCloudTextureRepresentation() override;

@@ -4,7 +4,6 @@
 import itertools
 import unittest
 
-import nephoscope
 import numpy as np
 from cloud_sheets import TextureTestCase, sheet
 from nephoscope_testing import meshes

@@ -8,7 +8,7 @@ import numpy as np
 from cloud_bodies import BodyTestCase, box, opacity, sphere, stay_in_box, wall
 from nephoscope_testing import meshes
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import VTK_UNSIGNED_CHAR, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataSetAttributes, vtkHyperTreeGrid, vtkMultiBlockDataSet, vtkTable, vtkUnstructuredGrid
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendFilter

@@ -5,7 +5,6 @@ import itertools
 import math
 import unittest
 
-import nephoscope
 import numpy as np
 from cloud_sheets import TextureTestCase, coordinates_of_pixels, sheet
 from nephoscope_testing import meshes

@@ -6,7 +6,6 @@ import unittest
 import nephoscope
 import numpy as np
 from cloud_bodies import box, sphere
-from nephoscope_testing import meshes
 from nephoscope_testing.offscreen import Window
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkRenderingCore import vtkActor

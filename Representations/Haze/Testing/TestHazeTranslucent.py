@@ -6,7 +6,6 @@ import unittest
 import nephoscope
 import numpy as np
 from haze_scenes import BLENDED, STEP, HazeTestCase, Square
-from nephoscope_testing import meshes
 from nephoscope_testing.haze import Haze
 from vtkmodules.vtkRenderingCore import vtkActor
 

@@ -90,7 +90,6 @@ public:
   bool HaveMeanSpacing() const { return this->Spaced; }
   /** Shapes follow from the cells around the samples. */
   bool AreOfCells() const { return !this->Cells.IsEmpty(); }
-  bool AreOfGrid() const { return this->Grid.IsGrid(); }
   const GridSamples& GetGrid() const { return this->Grid; }
   /** Samples that are voxels of a sparse volume: edges of the voxels, and the place of the one whose indices are 0. */
   bool AreVoxels() const { return this->Voxels; }

@@ -76,7 +76,7 @@ def identified(path: Path, start: bytes) -> tuple[str, str]:
         return known
     if ending in ENDINGS or start.startswith((b"# vtk DataFile", b"<VTKFile")):
         return MESH, f"Read it by pyvista.read({str(path)!r}), and draw it by nephoscope.add_cells or add_splats."
-    return _of_text(start, ending) if _is_text(start) and ending not in DAMAGED else ("", "")
+    return _of_text(start) if _is_text(start) and ending not in DAMAGED else ("", "")
 
 
 def _is_text(start: bytes) -> bool:
@@ -84,7 +84,7 @@ def _is_text(start: bytes) -> bool:
     return bool(part) and b"\0" not in part and sum(32 <= byte < 127 or byte in b"\t\r\n" or byte >= 128 for byte in part) == len(part)
 
 
-def _of_text(start: bytes, ending: str) -> tuple[str, str]:
+def _of_text(start: bytes) -> tuple[str, str]:
     text = start.decode("latin-1").lstrip().lower()
     if text.startswith("dset ") or "\ndset " in text:
         return "is a descriptor of GrADS", f"{TO_NETCDF} by CDO: cdo -f nc import_binary file.ctl file.nc. Then open that file."

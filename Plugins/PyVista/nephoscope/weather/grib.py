@@ -55,7 +55,7 @@ def open_grib(path: Path, grid: int | None):
     xarray = need("xarray", "reading GRIB")
     messages = _of_grid(path, scan(path), grid)
     layout = Layout(path, messages)
-    dataset = xarray.Dataset(attrs={"Conventions": "CF-1.8", "source": str(path)}, coords=layout.coordinates(xarray))
+    dataset = xarray.Dataset(attrs={"Conventions": "CF-1.8", "source": str(path)}, coords=layout.coordinates())
     for name, variable in _named(messages).items():
         dataset[name] = layout.variable(xarray, variable)
     return dataset
@@ -203,7 +203,7 @@ class Layout:
         self.start = messages[0].start
         self.grid = Grid(path, messages[0])
 
-    def coordinates(self, xarray) -> dict:
+    def coordinates(self) -> dict:
         found = {"time": (("time",) if len(self.times) > 1 else (), np.array(self.times) if len(self.times) > 1 else self.times[0], {"standard_name": "time"})}
         if len(self.numbers) > 1:
             found["number"] = (("number",), np.array(self.numbers), {"standard_name": "realization"})

@@ -73,7 +73,7 @@ def _masses(reading: Reading, air: Air) -> np.ndarray:
         a, b = (values.reshape(-1, *[1] * (len(air.shape) - 1)) for values in half)
         back[order] = np.diff(a + b * air.surface_pressure, axis=0) / GRAVITY
     else:
-        back[order] = _between(air.pressure[order], _ground_pressure(reading, air, order), reading.vertical.kind in POINTS) / GRAVITY
+        back[order] = _between(air.pressure[order], _ground_pressure(air, order), reading.vertical.kind in POINTS) / GRAVITY
     return back
 
 
@@ -95,7 +95,7 @@ def _ends(levels: np.ndarray, points: bool) -> tuple[np.ndarray, np.ndarray]:
     return 1.5 * levels[0] - 0.5 * levels[1], 1.5 * levels[-1] - 0.5 * levels[-2]
 
 
-def _ground_pressure(reading: Reading, air: Air, order: np.ndarray) -> np.ndarray | None:
+def _ground_pressure(air: Air, order: np.ndarray) -> np.ndarray | None:
     """Pa; by the heights of the two lowest levels above the ground where the pressure there is not in the dataset."""
     if air.surface_pressure is not None or air.terrain is None or len(order) < 2:
         return air.surface_pressure

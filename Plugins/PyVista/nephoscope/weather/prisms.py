@@ -43,10 +43,10 @@ def place_columns(reading: Reading, air: Air, variables, extra: dict[str, np.nda
     grid = columns(polygons.corners, faces, surfaces, *planet)
     data = grid.point_data if polygons.on_corners else grid.cell_data
     spread = (lambda values: values) if polygons.on_corners else (lambda values: values[..., owner])
-    _add_fields(grid, data, reading, air, chosen(reading, variables), extra, order, spread)
+    _add_fields(grid, data, reading, chosen(reading, variables), extra, order, spread)
     _add_winds(data, reading, air, heights, order, spread, planet)
     data["Height"] = spread(heights[order]).astype(np.float32).ravel()
-    _hide(grid, data, reading, air, heights, order, spread, mask_below_ground, polygons.on_corners)
+    _hide(data, reading, air, heights, order, spread, mask_below_ground, polygons.on_corners)
     grid.field_data["GlobeGridProjection"], grid.field_data["PlanetRadius"], grid.field_data["VerticalExaggeration"] = [0], [planet[0]], [planet[1]]
     choose_active_scalars(grid)
     return grid
@@ -153,7 +153,7 @@ def _in_order(cells, types, places) -> tuple[np.ndarray, np.ndarray, np.ndarray]
     return found, starts, types
 
 
-def _add_fields(grid, data, reading: Reading, air: Air, names, extra, order, spread) -> None:
+def _add_fields(grid, data, reading: Reading, names, extra, order, spread) -> None:
     fields = {name: reading.values(name) for name in names} | extra
     for name, values in fields.items():
         values = values[order] if values.ndim == 2 else values[None]
@@ -183,7 +183,7 @@ def _add_winds(data, reading: Reading, air: Air, heights, order, spread, planet)
     data.active_vectors_name = "DisplayVelocity"
 
 
-def _hide(grid, data, reading: Reading, air: Air, heights, order, spread, mask: bool, on_corners: bool) -> None:
+def _hide(data, reading: Reading, air: Air, heights, order, spread, mask: bool, on_corners: bool) -> None:
     below = ~np.isfinite(heights)
     if mask and reading.level_pressure is not None and air.surface_pressure is not None:
         below |= reading.level_pressure > air.surface_pressure

@@ -95,13 +95,13 @@ class Reading:
             self.warn(f"{dim!r} has {dataset.sizes[dim]} entries; the first was taken. Choose one: ds.isel({dim}=0).")
         return dataset.isel({dim: 0 for dim in several})
 
-    def _numbers(self):
-        """Variables that can be fields, without those that only describe the cells."""
-        return [(str(name), variable) for name, variable in self.dataset.data_vars.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self.helpers]
+    def _numbers(self, variables):
+        """Those that can be fields, without those that only describe the cells."""
+        return [(str(name), variable) for name, variable in variables.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self.helpers]
 
     def _find_levels(self, asked: str | None) -> None:
-        several = [variable for _, variable in self._numbers() if variable.ndim > 1]
-        dims = Counter(dim for variable in several or [variable for _, variable in self._numbers()] for dim in variable.dims)
+        several = [variable for _, variable in self._numbers(self.dataset.data_vars) if variable.ndim > 1]
+        dims = Counter(dim for variable in several or [variable for _, variable in self._numbers(self.dataset.data_vars)] for dim in variable.dims)
         if not dims:
             raise GridError(f"No variable of the dataset is a numeric field. The variables are: {listed([str(name) for name in self.dataset.variables])}.")
         self.vertical = None
@@ -122,7 +122,7 @@ class Reading:
         elif layers := [str(dim) for dim in dims if is_layer(str(dim)) and not self._is_horizontal(dim)]:
             for dim in layers:
                 self._take_layer(dim)
-        elif any(variable.ndim > 2 and not all(map(self._is_horizontal, variable.dims)) for _, variable in self._numbers()):
+        elif any(variable.ndim > 2 and not all(map(self._is_horizontal, variable.dims)) for _, variable in self._numbers(self.dataset.data_vars)):
             raise VerticalError(f"No vertical axis was found among the dimensions {listed([str(dim) for dim in dims])}: none has axis 'Z', positive up or down, a standard_name of "
                                 "levels, units of pressure or length, a GRIB type of level or a usual name. Name it, globe(vertical='...'), or choose one index along the "
                                 "dimension that is not vertical: "
@@ -131,7 +131,7 @@ class Reading:
     def _take_layer(self, dim: str) -> None:
         """Takes the first layer that has values. Layers of this kind may overlap, so they are no axis."""
         size, axis = self.dataset.sizes[dim], self.dataset.variables.get(dim)
-        fields = [variable for _, variable in self._numbers() if dim in variable.dims]
+        fields = [variable for _, variable in self._numbers(self.dataset.data_vars) if dim in variable.dims]
         first = next((i for i in range(size) if any(np.isfinite(_numbers(field.isel({dim: i}).values)).any() for field in fields)), 0)
         value = None if axis is None else axis.values[first]
         told = "" if axis is None else f" ({value:g})" if axis.dtype.kind in "iuf" else f" ({value})"
@@ -161,7 +161,7 @@ class Reading:
 
     def _find_grid(self) -> None:
         level = {self.vertical.dim} if self.vertical else set()
-        shapes = Counter(tuple(dim for dim in variable.dims if dim not in level) for _, variable in self._numbers() if level <= set(variable.dims))
+        shapes = Counter(tuple(dim for dim in variable.dims if dim not in level) for _, variable in self._numbers(self.dataset.data_vars) if level <= set(variable.dims))
         if not level and any(len(dims) > 1 for dims in shapes):
             shapes = Counter({dims: count for dims, count in shapes.items() if len(dims) > 1})
         shapes = Counter({dims: count for dims, count in shapes.items() if dims}) or shapes
@@ -170,7 +170,7 @@ class Reading:
             self.horizontal, self.example = find_horizontal(self.dataset, self.dataset[centres], level), centres
             return
         dims = max(shapes, key=lambda dims: (shapes[dims], -sum(is_staggered(dim) for dim in dims)))
-        name = next(name for name, variable in self._numbers() if level <= set(variable.dims) and tuple(dim for dim in variable.dims if dim not in level) == dims)
+        name = next(name for name, variable in self._numbers(self.dataset.data_vars) if level <= set(variable.dims) and tuple(dim for dim in variable.dims if dim not in level) == dims)
         self.horizontal = find_horizontal(self.dataset, self.dataset[name], level)
         self.example = name
 
@@ -200,7 +200,7 @@ class Reading:
         if self.vertical is None or role.name in self._asked:
             return None
         wanted = {*self.horizontal.dims}
-        pool = [(name, variable) for name, variable in self._all_numbers() if variable.ndim == len(wanted) + 1 and wanted < set(variable.dims) and not self._is_field(variable)]
+        pool = [(name, variable) for name, variable in self._numbers(self.dataset.variables) if variable.ndim == len(wanted) + 1 and wanted < set(variable.dims) and not self._is_field(variable)]
         return next(iter(candidates(role, pool)), None)
 
     def axis_of_variable(self, name: str) -> str:
@@ -229,10 +229,7 @@ class Reading:
 
     def field_variables(self):
         """Variables on levels, including staggered ones."""
-        return [(name, variable) for name, variable in self._all_numbers() if self._is_field(variable)]
-
-    def _all_numbers(self):
-        return [(str(name), variable) for name, variable in self.dataset.variables.items() if variable.dtype.kind in KINDS and variable.ndim and name not in self.helpers]
+        return [(name, variable) for name, variable in self._numbers(self.dataset.variables) if self._is_field(variable)]
 
     def _is_field(self, variable) -> bool:
         if self.vertical is None:
@@ -262,14 +259,14 @@ class Reading:
         return self._apart[dim]
 
     def ground_variables(self):
-        return [(name, variable) for name, variable in self._all_numbers() if set(variable.dims) == set(self.horizontal.dims)
+        return [(name, variable) for name, variable in self._numbers(self.dataset.variables) if set(variable.dims) == set(self.horizontal.dims)
                 and variable.attrs.get("GRIB_typeOfLevel", "surface") in OTHER_HORIZONTAL]
 
     def plain_variables(self) -> list[str]:
         """Variables exactly on the grid's points, which are used unchanged; staggered ones where there are no others and no winds of both."""
         wanted = set(self.horizontal.dims) | ({self.vertical.dim} if self.vertical else set())
         coordinates = {*self.horizontal.names, *self.dataset.dims}
-        found = [name for name, variable in self._all_numbers() if set(variable.dims) == wanted and name not in coordinates]
+        found = [name for name, variable in self._numbers(self.dataset.variables) if set(variable.dims) == wanted and name not in coordinates]
         return found or [name for name, _ in self.field_variables() if name not in self.dataset.coords and not self.has_winds()]
 
     # Values
@@ -336,7 +333,7 @@ class Reading:
     @cached_property
     def fractions(self) -> list[str]:
         """Cloud fractions whose units say that they are fractions of 1."""
-        return [name for name in candidates(ROLES["cloud_fraction"], self._all_numbers()) if says_fraction(self.dataset[name].attrs.get("units"))]
+        return [name for name in candidates(ROLES["cloud_fraction"], self._numbers(self.dataset.variables)) if says_fraction(self.dataset[name].attrs.get("units"))]
 
     def _in_fractions(self, name: str, found: np.ndarray) -> np.ndarray:
         """Cloud fractions that are percent in spite of their units are divided by 100, with a warning."""
