@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkContourCellSplitter.h"
 
+#include "ArrayNames.h"
 #include "BlocksWithArray.h"
 #include "ChosenPointArray.h"
 #include "ContourScalars.h"
@@ -48,22 +49,6 @@ constexpr vtkIdType cellsPerBatch = 2048;
 constexpr vtkIdType progressSteps = 24;
 constexpr double splitShare = 0.7; // of the time, about; the rest is putting the output together
 
-std::string NameOf(vtkAbstractArray* array)
-{
-  return array->GetName() ? "'" + std::string(array->GetName()) + "'"
-                          : std::string("without a name");
-}
-
-std::string Listed(vtkDataSetAttributes* attributes)
-{
-  std::string names;
-  for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)
-  {
-    names += (a > 0 ? ", " : "") + NameOf(attributes->GetAbstractArray(a));
-  }
-  return names.empty() ? "none" : names;
-}
-
 bool WantsDouble(vtkDataSet* input, int precision)
 {
   auto* pointSet = vtkPointSet::SafeDownCast(input);
@@ -106,12 +91,9 @@ int vtkContourCellSplitter::FillInputPortInformation(int, vtkInformation* info)
 vtkTypeBool vtkContourCellSplitter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
-        "It must be a dataset with cells."))
-  {
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  return nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+           { "vtkDataSet" }, "It must be a dataset with cells.") ||
+    this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkContourCellSplitter::RequestData(
@@ -179,29 +161,32 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
       << called << " to split cells at. "
       << (onCells ? "It is on cells: apply Cell Data to Point Data first. "
                   : "Choose one with SetInputArrayToProcess. ")
-      << "Point arrays: " << Listed(input->GetPointData()) << "." << this->Blocks->NorInOthers());
+      << "Point arrays: " << nephoscope::quotedNames(input->GetPointData()) << "."
+      << this->Blocks->NorInOthers());
     return nullptr;
   }
   auto* array = vtkDataArray::SafeDownCast(found);
   if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    vtkErrorMacro("The array " << NameOf(found)
+    vtkErrorMacro("The array " << nephoscope::quotedName(found)
                                << " is not on points, so it is not continuous and has no contours. "
                                   "Apply Cell Data to Point Data first.");
     return nullptr;
   }
   if (!array || vtkBitArray::SafeDownCast(found) || array->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro("The array " << NameOf(found) << " of type " << found->GetDataTypeAsString()
-                               << " has " << found->GetNumberOfComponents()
+    vtkErrorMacro("The array " << nephoscope::quotedName(found) << " of type "
+                               << found->GetDataTypeAsString() << " has "
+                               << found->GetNumberOfComponents()
                                << " components; one number at each point is needed. Make an array "
                                   "of a component or of the magnitude first (Calculator).");
     return nullptr;
   }
   if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
-    vtkErrorMacro("The array " << NameOf(array) << " has " << array->GetNumberOfTuples()
-                               << " values for " << input->GetNumberOfPoints() << " points.");
+    vtkErrorMacro("The array " << nephoscope::quotedName(array) << " has "
+                               << array->GetNumberOfTuples() << " values for "
+                               << input->GetNumberOfPoints() << " points.");
     return nullptr;
   }
   return array;
@@ -248,7 +233,7 @@ std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
   {
     const std::array<double, 2>& all =
       this->DefaultRange; // of all blocks; the value is in the middle
-    reason << "the values of the array " << NameOf(array) << " are all " << all[0]
+    reason << "the values of the array " << nephoscope::quotedName(array) << " are all " << all[0]
            << ", so that no value is between them. Choose another array.";
     return all[0] == all[1] ? reason.str() : std::string();
   }
@@ -262,7 +247,8 @@ std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
     }
   }
   reason
-    << "the values of the array " << NameOf(array) << " are " << range[0] << " to " << range[1]
+    << "the values of the array " << nephoscope::quotedName(array) << " are " << range[0] << " to "
+    << range[1]
     << ", but no contour value is within that range. Choose other contour values, or another array.";
   return this->GetNumberOfContours() > 0 ? reason.str() : std::string();
 }
@@ -358,7 +344,8 @@ void vtkContourCellSplitter::Warn(
   if (missing.Count > 0)
   {
     vtkWarningMacro("The array "
-      << NameOf(array) << " is not a finite number at vertices of " << Cells(missing)
+      << nephoscope::quotedName(array) << " is not a finite number at vertices of "
+      << Cells(missing)
       << ". They stay undivided, with Layer -1. Threshold the array Layer to remove them.");
   }
   if (flat.Count > 0)

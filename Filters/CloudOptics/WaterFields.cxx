@@ -4,12 +4,12 @@
 
 #include "ArrayNames.h"
 #include "FieldUnits.h"
+#include "LowerCase.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
 #include <vector>
 
@@ -56,13 +56,6 @@ vtkDataArray* arrayOf(vtkDataSet* data, bool onCells, const std::string& name)
   return attributes->GetArray(name.c_str());
 }
 
-std::string inLowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 // By the exact name, otherwise by a name in other case, as models spell it: QC of COSMO.
 vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
 {
@@ -80,7 +73,8 @@ vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = attributes->GetArray(i);
-      if (array && array->GetName() && inLowerCase(array->GetName()) == inLowerCase(name))
+      if (array && array->GetName() &&
+        nephoscope::lowerCase(array->GetName()) == nephoscope::lowerCase(name))
       {
         return array;
       }
@@ -109,7 +103,7 @@ void take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
   // GFS uses the same name for the liquid that it used for the sum before it had ice.
   vtkDataArray* total = fields.Arrays[WaterFields::Total];
   if (names[WaterFields::Total].empty() && names[WaterFields::Liquid].empty() && total &&
-    inLowerCase(total->GetName()) == "clwmr" && fields.Has(WaterFields::Ice) &&
+    nephoscope::lowerCase(total->GetName()) == "clwmr" && fields.Has(WaterFields::Ice) &&
     !fields.Has(WaterFields::Liquid))
   {
     fields.Arrays[WaterFields::Liquid] = total;
@@ -221,7 +215,7 @@ std::string wrongShape(vtkDataSet* data, const WaterFields& fields)
 WaterUnits unitsOf(vtkDataSet* data, vtkDataArray* array)
 {
   const WaterUnits told = WaterUnitsOf(UnitsOf(data->GetFieldData(), array->GetName()));
-  const std::string name = inLowerCase(array->GetName());
+  const std::string name = nephoscope::lowerCase(array->GetName());
   const bool isContent = name == "lwc" || name == "iwc";
   return told != WaterUnits::Automatic ? told
     : isContent                        ? WaterUnits::Content

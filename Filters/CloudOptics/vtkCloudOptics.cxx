@@ -153,12 +153,9 @@ int vtkCloudOptics::FillInputPortInformation(int, vtkInformation* info)
 vtkTypeBool vtkCloudOptics::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
-        "It must be a dataset."))
-  {
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  return nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+           { "vtkDataSet" }, "It must be a dataset.") ||
+    this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkCloudOptics::RequestData(

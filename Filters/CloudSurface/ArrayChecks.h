@@ -4,6 +4,7 @@
 #ifndef nephoscope_ArrayChecks_h
 #define nephoscope_ArrayChecks_h
 
+#include "ArrayNames.h"
 #include "RequiredInput.h"
 
 #include "vtkBitArray.h"
@@ -25,20 +26,9 @@ inline bool hasNoGrid(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* 
     "It must be a grid with rows: an image, a rectilinear or a structured grid.");
 }
 
-inline std::string Quoted(vtkAbstractArray* array)
-{
-  return array->GetName() ? "'" + std::string(array->GetName()) + "'"
-                          : std::string("without a name");
-}
-
 inline std::string PointArrayNames(vtkDataSet* data)
 {
-  std::string names;
-  for (int a = 0; a < data->GetPointData()->GetNumberOfArrays(); ++a)
-  {
-    names += (a > 0 ? ", " : "") + Quoted(data->GetPointData()->GetAbstractArray(a));
-  }
-  return "Point arrays: " + (names.empty() ? std::string("none") : names) + ".";
+  return "Point arrays: " + quotedNames(data->GetPointData()) + ".";
 }
 
 // Why there is no such array, and what to do.
@@ -62,12 +52,12 @@ inline std::string ArrayFault(vtkDataSet* data, vtkAbstractArray* array)
 {
   if (!vtkDataArray::SafeDownCast(array) || vtkBitArray::SafeDownCast(array))
   {
-    return "The array " + Quoted(array) + " of type " + array->GetDataTypeAsString() +
+    return "The array " + quotedName(array) + " of type " + array->GetDataTypeAsString() +
       " is not of numbers. Choose another one.";
   }
   if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
   {
-    return "The array " + Quoted(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
+    return "The array " + quotedName(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
       " values for " + std::to_string(data->GetNumberOfPoints()) + " points.";
   }
   return std::string();
@@ -88,7 +78,7 @@ inline int IndexOfPointArray(vtkDataSet* data, vtkAbstractArray* array)
 
 inline std::string ValuesMissing(vtkAbstractArray* array, vtkIdType count)
 {
-  return std::to_string(count) + " values of the array " + Quoted(array) +
+  return std::to_string(count) + " values of the array " + quotedName(array) +
     " are not finite numbers, or fill values (1e30 or more).";
 }
 }

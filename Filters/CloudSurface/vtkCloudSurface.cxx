@@ -113,11 +113,8 @@ int vtkCloudSurface::FillInputPortInformation(int, vtkInformation* info)
 vtkTypeBool vtkCloudSurface::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasNoGrid(this, this->ToldOfInput, request, inputs, outputs))
-  {
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  return nephoscope::hasNoGrid(this, this->ToldOfInput, request, inputs, outputs) ||
+    this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkCloudSurface::RequestInformation(
@@ -270,7 +267,7 @@ std::string vtkCloudSurface::ReasonOfEmptiness(vtkDataArray* scalars,
     low = value < low ? value : low; // both false for what is not a number
     high = value > high ? value : high;
   }
-  const std::string array = nephoscope::Quoted(scalars) +
+  const std::string array = nephoscope::quotedName(scalars) +
     (this->GetNumberOfSmoothingIterations() > 0 ? " after smoothing" : "");
   if (!IsFirstPiece(outInfo))
   {
@@ -359,7 +356,7 @@ vtkDataArray* vtkCloudSurface::FindScalars(vtkDataSet* input, vtkInformationVect
   if (found->GetNumberOfComponents() != 1)
   {
     vtkErrorMacro("The array "
-      << nephoscope::Quoted(found) << " has " << found->GetNumberOfComponents()
+      << nephoscope::quotedName(found) << " has " << found->GetNumberOfComponents()
       << " components; one number at each point is needed. Make an array of a component or of the "
          "magnitude first (Calculator).");
     return nullptr;

@@ -186,11 +186,8 @@ int vtkStructuredSmoothing::FillInputPortInformation(int, vtkInformation* info)
 vtkTypeBool vtkStructuredSmoothing::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasNoGrid(this, this->ToldOfInput, request, inputs, outputs))
-  {
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  return nephoscope::hasNoGrid(this, this->ToldOfInput, request, inputs, outputs) ||
+    this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkStructuredSmoothing::RequestInformation(

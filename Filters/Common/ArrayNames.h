@@ -37,7 +37,25 @@ inline std::string arrayNames(vtkFieldData* data, int components = 0)
   return names.empty() ? "none" : names;
 }
 
-/** The same in quotation marks, without unnamed arrays. */
+/** For messages: in quotation marks, or "without a name". */
+inline std::string quotedName(vtkAbstractArray* array)
+{
+  return array->GetName() ? "'" + std::string(array->GetName()) + "'"
+                          : std::string("without a name");
+}
+
+/** These with commas between them; "none" without arrays. */
+inline std::string quotedNames(vtkFieldData* data)
+{
+  std::string names;
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    names += (a > 0 ? ", " : "") + quotedName(data->GetAbstractArray(a));
+  }
+  return names.empty() ? "none" : names;
+}
+
+/** The same, without unnamed arrays. */
 inline std::string quotedArrayNames(vtkFieldData* data)
 {
   std::string names;

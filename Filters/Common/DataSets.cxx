@@ -5,6 +5,7 @@
 #include "Vector3.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkRectilinearGrid.h"
@@ -36,6 +37,19 @@ std::vector<vtkDataSet*> DataSetsOf(vtkDataObject* data)
     }
   });
   return sets;
+}
+
+bool HasOnlyVertices(vtkDataSet* data)
+{
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    const int type = data->GetCellType(cell);
+    if (type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool IsStructured(vtkDataObject* data)

@@ -45,6 +45,9 @@ VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkBoundingBox BoundsOf(const std::vector<vtkD
 // When the data or one of its leaves last changed; 0 without data.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkMTimeType NewestMTime(vtkDataObject* data);
 
+// Without cells, or with vertices as its only cells.
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT bool HasOnlyVertices(vtkDataSet* data);
+
 // Whether it is an image, a rectilinear or a structured grid.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT bool IsStructured(vtkDataObject* data);
 

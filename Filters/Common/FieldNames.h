@@ -4,8 +4,9 @@
 #ifndef nephoscope_FieldNames_h
 #define nephoscope_FieldNames_h
 
+#include "LowerCase.h"
+
 #include <algorithm>
-#include <cctype>
 #include <initializer_list>
 #include <string>
 
@@ -24,10 +25,9 @@ inline bool IsOneOf(const std::string& name, std::initializer_list<const char*> 
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-inline FieldKind KindOfField(std::string name)
+inline FieldKind KindOfField(const std::string& fieldName)
 {
-  std::transform(
-    name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string name = lowerCase(fieldName);
   const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
   const auto ends = [&](const std::string& end) {
     return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;

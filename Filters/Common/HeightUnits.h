@@ -4,6 +4,7 @@
 #ifndef nephoscope_HeightUnits_h
 #define nephoscope_HeightUnits_h
 
+#include "LowerCase.h"
 #include "StandardAtmosphere.h"
 
 #include <algorithm>
@@ -42,9 +43,7 @@ inline std::string PlainUnits(std::string text)
   text.erase(std::remove_if(text.begin(), text.end(),
                [](unsigned char c) { return std::isspace(c) || c == '*' || c == '^' || c == '.'; }),
     text.end());
-  std::transform(
-    text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
-  return text;
+  return lowerCase(text);
 }
 
 // `text` from PlainUnits. Automatic if the file gives no known unit.

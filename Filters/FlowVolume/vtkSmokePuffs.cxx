@@ -8,6 +8,7 @@
 #include "OwnThreads.h"
 #include "PointDensity.h"
 #include "PuffPulse.h"
+#include "Ranks.h"
 #include "RequiredInput.h"
 #include "SmokeData.h"
 
@@ -168,18 +169,6 @@ bool IsFirstRank()
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return !controller || controller->GetLocalProcessId() == 0;
 }
-
-// The largest of all ranks.
-double LargestOfRanks(double value)
-{
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  double largest = value;
-  if (controller && controller->GetNumberOfProcesses() > 1)
-  {
-    controller->AllReduce(&value, &largest, 1, vtkCommunicator::MAX_OP);
-  }
-  return largest;
-}
 }
 
 vtkSmokePuffs::vtkSmokePuffs()
@@ -307,22 +296,23 @@ int vtkSmokePuffs::RequestData(
 double vtkSmokePuffs::FindPeriod(vtkUnstructuredGrid* smoke, vtkInformation* inInfo)
 {
   const vtkMTimeType change = nephoscope::changeOfInput(this);
-  const double oldest = LargestOfRanks(OldestAge(smoke));
-  const double step = LargestOfRanks(TimeStepOf(smoke));
-  if (LargestOfRanks(change != this->Change || this->FoundAge == 0.0 ? 1.0 : 0.0) > 0.0)
+  const double oldest = nephoscope::maximumOfRanks(OldestAge(smoke));
+  const double step = nephoscope::maximumOfRanks(TimeStepOf(smoke));
+  if (nephoscope::maximumOfRanks(change != this->Change || this->FoundAge == 0.0 ? 1.0 : 0.0) > 0.0)
   {
     this->Change = change;
     this->FoundAge = oldest;
     this->FoundStep = step;
   }
-  const bool grows = LargestOfRanks(nephoscope::initialSmokeDensity(smoke)) > 0.0;
+  const bool grows = nephoscope::maximumOfRanks(nephoscope::initialSmokeDensity(smoke)) > 0.0;
   const double whole = grows ? InputTime(inInfo).Length * this->TimeScale : 0.0;
   return AutomaticPeriod(std::max(this->FoundAge, whole), this->FoundStep, this->Width);
 }
 
 void vtkSmokePuffs::WarnOfShortPuffs(vtkUnstructuredGrid* smoke, const nephoscope::PuffPulse& pulse)
 {
-  const double step = LargestOfRanks(TimeStepOf(smoke)); // on every rank, also without cells
+  const double step =
+    nephoscope::maximumOfRanks(TimeStepOf(smoke)); // on every rank, also without cells
   const double longEnough = 2.0 * step / pulse.Width;
   const bool isTold =
     this->ToldPeriodAndStep[0] == pulse.Period && this->ToldPeriodAndStep[1] == step;

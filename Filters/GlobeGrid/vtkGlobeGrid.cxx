@@ -214,14 +214,10 @@ int vtkGlobeGrid::FillInputPortInformation(int port, vtkInformation* info)
 vtkTypeBool vtkGlobeGrid::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (
-    nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
-      { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
-      "It must be a grid of longitudes, latitudes and levels: an image, a rectilinear or a structured grid."))
-  {
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  return nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+           { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
+           "It must be a grid of longitudes, latitudes and levels: an image, a rectilinear or a structured grid.") ||
+    this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkGlobeGrid::RequestInformation(

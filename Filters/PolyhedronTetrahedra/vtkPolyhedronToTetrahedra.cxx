@@ -159,12 +159,9 @@ int vtkPolyhedronToTetrahedra::FillInputPortInformation(int, vtkInformation* inf
 vtkTypeBool vtkPolyhedronToTetrahedra::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
-        "It must be a dataset with cells."))
-  {
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
+  return nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+           { "vtkDataSet" }, "It must be a dataset with cells.") ||
+    this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 int vtkPolyhedronToTetrahedra::RequestData(

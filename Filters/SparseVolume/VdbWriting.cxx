@@ -4,11 +4,12 @@
 // 3. names and metadata; 4. the file.
 #include "VdbWriting.h"
 
+#include "DataSets.h"
+#include "LowerCase.h"
 #include "VdbLattice.h"
 #include "VdbParticles.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -18,7 +19,6 @@
 #include <vtksys/SystemTools.hxx>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <system_error>
 
@@ -40,17 +40,10 @@ bool isWanted(const VdbWriteSettings& settings, const std::string& name)
     std::count(settings.Arrays.begin(), settings.Arrays.end(), name) > 0;
 }
 
-std::string lower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 // How a vector changes when the volume is moved: Houdini turns and scales velocities with it, and normals as such.
 openvdb::VecType vectorTypeOf(const std::string& name)
 {
-  const std::string text = lower(name);
+  const std::string text = lowerCase(name);
   if (text == "v" || text.find("vel") != std::string::npos ||
     text.find("wind") != std::string::npos)
   {
@@ -193,19 +186,6 @@ std::string addParticles(const VdbWriteSettings& settings, vtkDataSet* data, Vol
   return {};
 }
 
-bool hasOnlyVertices(vtkDataSet* data)
-{
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    const int type = data->GetCellType(cell);
-    if (type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL)
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 std::string addAll(const VdbWriteSettings& settings, vtkDataSet* data, Volume& volume)
 {
   if (auto* image = vtkImageData::SafeDownCast(data))
@@ -220,7 +200,7 @@ std::string addAll(const VdbWriteSettings& settings, vtkDataSet* data, Volume& v
     return std::string("A .vdb file holds equal voxels, and a ") + data->GetClassName() +
       " has none" + resample;
   }
-  if (!hasOnlyVertices(data))
+  if (!HasOnlyVertices(data))
   {
     return "Points are written as particles or voxels, and this data has other cells than vertices" +
       resample;

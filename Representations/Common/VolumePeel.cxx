@@ -100,13 +100,6 @@ vtkShaderProgram* VolumePeel::ReadyProgram(
   return program;
 }
 
-void VolumePeel::DrawTriangle()
-{
-  this->VertexArray->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  this->VertexArray->Release();
-}
-
 bool VolumePeel::FindRanges(
   vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], DepthTest test)
 {
@@ -151,7 +144,7 @@ bool VolumePeel::DrawRanges(
     return false;
   }
   DrawnQuery query;
-  this->DrawTriangle();
+  drawWholeViewport(this->VertexArray);
   return query.End();
 }
 
@@ -202,7 +195,7 @@ void VolumePeel::Deliver(vtkOpenGLRenderWindow* window, const Request& request,
     textures[i]->Activate();
     program->SetUniformi(names[i], textures[i]->GetTextureUnit());
   }
-  this->DrawTriangle();
+  drawWholeViewport(this->VertexArray);
   for (vtkTextureObject* texture : textures)
   {
     texture->Deactivate();

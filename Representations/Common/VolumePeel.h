@@ -78,7 +78,6 @@ private:
   void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
   vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const Request& request,
     const int viewport[4], const char* shader);
-  void DrawTriangle();
   bool DrawRanges(
     vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], DepthTest test);
   void CopyTargets(vtkOpenGLRenderWindow* window, unsigned int count);

@@ -201,13 +201,6 @@ void VolumeSlices::DrawSlices(
   }
 }
 
-void VolumeSlices::DrawTriangle()
-{
-  this->VertexArray->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  this->VertexArray->Release();
-}
-
 vtkShaderProgram* VolumeSlices::ReadyRanges(vtkOpenGLRenderWindow* window, bool farthestDepth)
 {
   vtkShaderProgram* program =
@@ -252,7 +245,7 @@ void VolumeSlices::Take(
   second->Activate();
   program->SetUniformi("firstLight", first->GetTextureUnit());
   program->SetUniformi("secondLight", second->GetTextureUnit());
-  this->DrawTriangle();
+  drawWholeViewport(this->VertexArray);
   first->Deactivate();
   second->Deactivate();
   this->Sums.End(window);
@@ -280,7 +273,7 @@ void VolumeSlices::Lay(vtkOpenGLRenderWindow* window)
   program->SetUniformi("firstSums", first->GetTextureUnit());
   program->SetUniformi("secondSums", second->GetTextureUnit());
   program->SetUniformi("ofPeel", this->Peeled);
-  this->DrawTriangle();
+  drawWholeViewport(this->VertexArray);
   first->Deactivate();
   second->Deactivate();
   this->Light.End(window);

@@ -66,7 +66,6 @@ private:
   void DrawSlices(
     vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw);
   void Lay(vtkOpenGLRenderWindow* window);
-  void DrawTriangle();
 
   VolumePeel Outer; // of the pass that peels surfaces
   OpaqueDepth Depth;

@@ -151,9 +151,7 @@ vtkTextureObject* VolumeSpans::Draw(
   Boxes(volumes).SetUniforms(program, renderer);
   const float size[2] = { float(viewport[2]), float(viewport[3]) };
   program->SetUniform2f("sizeOfViewport", size);
-  this->VertexArray->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  this->VertexArray->Release();
+  drawWholeViewport(this->VertexArray);
   this->Image.End(window);
   return this->Image.GetTexture(0);
 }

@@ -3,6 +3,10 @@
 #ifndef WholeViewport_h
 #define WholeViewport_h
 
+#include "OpenGLFunctions.h"
+
+#include "vtkOpenGLVertexArrayObject.h"
+
 namespace nephoscope
 {
 
@@ -14,6 +18,14 @@ constexpr const char* wholeViewportVertex =
   "  vec2 corner = vec2(gl_VertexID == 1, gl_VertexID == 2);\n"
   "  gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);\n"
   "}\n";
+
+/** Draws it; `attributes` is an array of none. */
+inline void drawWholeViewport(vtkOpenGLVertexArrayObject* attributes)
+{
+  attributes->Bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  attributes->Release();
+}
 
 } // namespace nephoscope
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSunRepresentation.h"
 
+#include "Ranks.h"
 #include "RendererSun.h"
 #include "SharedSun.h"
 
 #include "vtkCommand.h"
-#include "vtkCommunicator.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
@@ -25,18 +25,6 @@ vtkStandardNewMacro(vtkSunRepresentation);
 namespace
 {
 constexpr double globe = 0.0; // what GlobeGridProjection says of one
-
-// All ranks draw at once, each what it has.
-double greatestOfRanks(double mine)
-{
-  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
-  double greatest = mine;
-  if (ranks && ranks->GetNumberOfProcesses() > 1)
-  {
-    ranks->AllReduce(&mine, &greatest, 1, vtkCommunicator::MAX_OP);
-  }
-  return greatest;
-}
 }
 
 vtkSunRepresentation::vtkSunRepresentation()
@@ -144,8 +132,8 @@ bool vtkSunRepresentation::FindDirection(double direction[3])
   this->Shown->GetPoint(0, direction);
   this->Shown->GetPoint(1, onGlobe);
   if (!std::equal(onGlobe, onGlobe + 3, direction) &&
-    greatestOfRanks(nephoscope::greatestFieldValue(this->Renderer, "GlobeGridProjection", -1)) ==
-      globe)
+    nephoscope::maximumOfRanks(
+      nephoscope::greatestFieldValue(this->Renderer, "GlobeGridProjection", -1)) == globe)
   {
     std::copy_n(onGlobe, 3, direction);
   }

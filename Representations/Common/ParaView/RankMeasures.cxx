@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankMeasures.h"
 
-#include "vtkCommunicator.h"
-#include "vtkMultiProcessController.h"
+#include "Ranks.h"
 
 #include <vector>
 
@@ -11,12 +10,6 @@ namespace nephoscope
 {
 namespace
 {
-vtkMultiProcessController* otherRanks()
-{
-  auto controller = vtkMultiProcessController::GetGlobalController();
-  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
-}
-
 // Several intervals at once; an empty one must not count.
 void reduceRanges(double* ranges, int count)
 {

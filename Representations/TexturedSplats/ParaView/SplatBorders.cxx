@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatBorders.h"
 
+#include "DataSets.h"
 #include "RankExchange.h"
 #include "SplatOwners.h"
 
@@ -36,13 +37,7 @@ vtkMultiProcessController* allRanks()
 bool isMesh(vtkDataSet* piece)
 {
   int extent[6];
-  bool found = false;
-  for (vtkIdType cell = 0; cell < piece->GetNumberOfCells() && !found; ++cell)
-  {
-    const int type = piece->GetCellType(cell);
-    found = type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL;
-  }
-  return found && !extentOf(piece, extent);
+  return !HasOnlyVertices(piece) && !extentOf(piece, extent);
 }
 
 bool isMeshOnAnyRank(vtkDataSet* piece)

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointPlaces.h"
 
+#include "DataSets.h"
 #include "NeighborSpacing.h"
 #include "RobustBounds.h"
 
-#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -17,24 +17,6 @@
 
 namespace nephoscope
 {
-namespace
-{
-// Particles in one place stay apart: each is a sample of its own.
-bool hasExtendedCells(vtkDataSet* data)
-{
-  for (vtkIdType id = 0; id < data->GetNumberOfCells(); ++id)
-  {
-    const int type = data->GetCellType(id);
-    if (type != VTK_VERTEX && type != VTK_POLY_VERTEX && type != VTK_EMPTY_CELL)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-} // namespace
-
 double RoundingOfPlaces(vtkDataSet* data)
 {
   constexpr double samePlace = 2e-7;
@@ -44,7 +26,7 @@ double RoundingOfPlaces(vtkDataSet* data)
 
 std::vector<vtkIdType> FindPlaces(vtkDataSet* data)
 {
-  if (!hasExtendedCells(data))
+  if (HasOnlyVertices(data)) // particles in one place stay apart: each is a sample of its own
   {
     return {};
   }
