@@ -97,7 +97,7 @@ public:
 
   /** A quick test of that cell, with rounded places: false may also mean that PutInOrder has to look. */
   template <typename PlaceOfPoint>
-  bool IsSurelyWhole(PlaceOfPoint placeOfPoint) const
+  bool PassesQuickTest(PlaceOfPoint placeOfPoint) const
   {
     const CellCorners corners = cellCorners(this->Type);
     const vtkIdType* ids = this->Points->GetPointer(0);

@@ -136,7 +136,7 @@ int vtkContourCellSplitter::RequestData(
     outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
   const bool silent = isPiece ||
     output->GetNumberOfCells() == 0; // other pieces may be divided; what has no cells has been told
-  this->Reason = silent ? std::string() : this->ReasonOfWholeness(array);
+  this->Reason = silent ? std::string() : this->ReasonForNoDivision(array);
   this->HasDivided = this->HasDivided || this->Reason.empty();
   this->UpdateProgress(1.0);
   return 1;
@@ -226,7 +226,7 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
 }
 
 // Empty if the array passes a value, or there is none.
-std::string vtkContourCellSplitter::ReasonOfWholeness(vtkDataArray* array)
+std::string vtkContourCellSplitter::ReasonForNoDivision(vtkDataArray* array)
 {
   std::ostringstream reason;
   if (this->TakesDefaultValue())

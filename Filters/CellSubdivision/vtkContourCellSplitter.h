@@ -165,7 +165,7 @@ private:
   void Assemble(vtkDataSet* input, vtkDataArray* array, const nephoscope::ContourScalars& scalars,
     std::vector<nephoscope::SplitBatch>& batches, vtkUnstructuredGrid* output);
   bool TakesDefaultValue();
-  std::string ReasonOfWholeness(vtkDataArray* array);
+  std::string ReasonForNoDivision(vtkDataArray* array);
   void BeginExecution();
   void EndExecution();
   void Warn(

@@ -106,7 +106,7 @@ private:
 
   double ShareOfIce(vtkIdType i, double total) const
   {
-    return total > 0 ? particles::IceShare(this->TemperatureAt(i)) : 0.0;
+    return total > 0 ? particles::IceFraction(this->TemperatureAt(i)) : 0.0;
   }
 
   double Cover(vtkIdType i) const

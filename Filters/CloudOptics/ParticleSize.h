@@ -54,7 +54,7 @@ inline double SnowRadius(double content)
 
 // Fraction of ice if only the sum is known: none above 0 degrees Celsius, all below -20, linear in between, as in the radiation of GFS
 // (HouMoorthiCampana2002).
-inline double IceShare(double temperature)
+inline double IceFraction(double temperature)
 {
   return std::min(std::max((273.16 - temperature) / 20.0, 0.0), 1.0);
 }

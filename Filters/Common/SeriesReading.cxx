@@ -51,7 +51,7 @@ std::size_t SeriesReading::FirstOutOfOrder() const
   return i;
 }
 
-bool SeriesReading::BeginsAnew(vtkInformation* request)
+bool SeriesReading::RestartsUpdate(vtkInformation* request)
 {
   const bool anew = this->AwaitsData && request->Has(SDDP::REQUEST_UPDATE_TIME());
   this->AwaitsData = this->AwaitsData && !anew;

@@ -31,7 +31,7 @@ struct VTKNEPHOSCOPEFILTERSCOMMON_EXPORT SeriesReading
   std::size_t FirstOutOfOrder() const;
 
   /** For ProcessRequest: an update begins, although the last one has not come to RequestData. */
-  bool BeginsAnew(vtkInformation* request);
+  bool RestartsUpdate(vtkInformation* request);
 
   double NextTime() const { return this->Times[static_cast<std::size_t>(this->Next)]; }
 

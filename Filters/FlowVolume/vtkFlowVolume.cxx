@@ -239,7 +239,7 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
   return true;
 }
 
-void vtkFlowVolume::TellOfZero(const nephoscope::FlowField& field, const std::string& where)
+void vtkFlowVolume::ReportZeroVelocity(const nephoscope::FlowField& field, const std::string& where)
 {
   const bool everywhere = this->Exchange().AllTrue(isStill(field));
   const char* throughout = this->HasTimeSteps()
@@ -270,7 +270,7 @@ bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
     std::ostringstream where;
     where << "at the centre of the generating polygon, (" << center[0] << ", " << center[1] << ", "
           << center[2] << "): move the polygon into the flow, or switch NormalToFlow off.";
-    this->TellOfZero(field, where.str());
+    this->ReportZeroVelocity(field, where.str());
     return false;
   }
   return true;
@@ -309,7 +309,7 @@ bool vtkFlowVolume::CheckFlow(
 {
   if (flow.MeanSpeed == 0.0)
   {
-    this->TellOfZero(field, "at the generating polygon: move it into the flow.");
+    this->ReportZeroVelocity(field, "at the generating polygon: move it into the flow.");
     return false;
   }
   if (flow.IsParallel())

@@ -318,7 +318,7 @@ private:
   bool MakeGivenPolygon(const nephoscope::FlowField& field,
     const nephoscope::VelocityField& velocity, double time, vtkPolyData* given, double edge,
     nephoscope::PolygonMesh& polygon);
-  void TellOfZero(const nephoscope::FlowField& field, const std::string& where);
+  void ReportZeroVelocity(const nephoscope::FlowField& field, const std::string& where);
   bool FindDirection(const nephoscope::FlowField& field, const nephoscope::VelocityField& velocity,
     double time, const std::array<double, 3>& center, std::array<double, 3>& direction);
   bool CheckPlace(const nephoscope::FlowField& field, const nephoscope::PolygonMesh& polygon,
@@ -356,7 +356,7 @@ private:
   bool BeginStreak(vtkPolyData* given);
   bool AdvanceStreak();
   bool HasTimeSteps() const;
-  void TellOfNoSmokeYet();
+  void WarnOfNoSmokeYet();
   void EndSeries(vtkInformation* request);
   std::unique_ptr<nephoscope::VelocityField> StreakVelocity() const;
   void SampleStreakArrays(const nephoscope::SmokeMesh& mesh, vtkPointData* arrays);

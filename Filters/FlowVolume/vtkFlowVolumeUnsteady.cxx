@@ -48,7 +48,7 @@ vtkTypeBool vtkFlowVolume::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   auto& state = *this->State;
-  if (state.BeginsAnew(request))
+  if (state.RestartsUpdate(request))
   {
     state.Streak = {};
     if (state.Continuing)
@@ -212,7 +212,7 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
   state.End(request);
   if (this->RequestedSeconds() <= this->StartSeconds())
   {
-    this->TellOfNoSmokeYet();
+    this->WarnOfNoSmokeYet();
   }
   else if (streak.Volume)
   {
@@ -221,7 +221,7 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
 }
 
 // Once for a series: an animation comes back to its beginning.
-void vtkFlowVolume::TellOfNoSmokeYet()
+void vtkFlowVolume::WarnOfNoSmokeYet()
 {
   auto& state = *this->State;
   if (state.ToldOfNoSmoke == state.Streak.MTime)

@@ -57,7 +57,7 @@ struct GlobeGridSettings
 GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& settings);
 
 // Whether the columns of the middle row surround the globe, so that poles can be closed.
-bool GoesRound(const LonLatLevelGrid& grid);
+bool SpansAllLongitudes(const LonLatLevelGrid& grid);
 
 // The columns, the direction of the rows and the rows added at the poles.
 GridOrder PlanRows(const LonLatLevelGrid& grid, const GlobeGridSettings& settings);

@@ -44,7 +44,7 @@ GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& sett
   return order;
 }
 
-bool GoesRound(const LonLatLevelGrid& grid)
+bool SpansAllLongitudes(const LonLatLevelGrid& grid)
 {
   const Coverage coverage = JudgeCoverage(grid.MiddleRow());
   return coverage == Coverage::Open || coverage == Coverage::Closed;
@@ -57,7 +57,7 @@ GridOrder PlanRows(const LonLatLevelGrid& grid, const GlobeGridSettings& setting
   const int middle = order.InputDimensions[0] / 2;
   order.Reversed[1] =
     grid.Coordinates({ middle, last, 0 })[1] < grid.Coordinates({ middle, 0, 0 })[1];
-  if (settings.ClosePoles && GoesRound(grid))
+  if (settings.ClosePoles && SpansAllLongitudes(grid))
   {
     order.AddPoles(MissingPoles(grid));
   }

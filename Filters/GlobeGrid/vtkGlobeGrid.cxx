@@ -239,7 +239,7 @@ int vtkGlobeGrid::RequestInformation(
   if (producer && whole[0] <= whole[1] && whole[2] <= whole[3] && whole[4] <= whole[5] &&
     PeekAtGrid(producer, port, inInfo, whole, middle, middle + 1, settings, grid, onCells))
   {
-    const bool closed = settings.ClosePoles && nephoscope::GoesRound(grid);
+    const bool closed = settings.ClosePoles && nephoscope::SpansAllLongitudes(grid);
     const int columns = nephoscope::PlanColumns(grid, settings).OutputDimensions[0];
     const int poles = closed ? CountPoles(producer, port, inInfo, whole, settings) : 0;
     whole[1] = whole[0] + columns - 1;

@@ -32,7 +32,7 @@ struct CloudInCell
 };
 
 // `index` is the place in indices of voxel centres, below 2^30 each.
-inline CloudInCell ShareAmongVoxels(const std::array<double, 3>& index)
+inline CloudInCell CloudInCellAt(const std::array<double, 3>& index)
 {
   CloudInCell share;
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -93,7 +93,7 @@ void VdbParticles::ForAllShares(Add add) const
     {
       x /= this->VoxelSize;
     }
-    const CloudInCell share = ShareAmongVoxels(index);
+    const CloudInCell share = CloudInCellAt(index);
     for (int corner = 0; corner < 8; ++corner)
     {
       const double weight = share.Weight(corner);

@@ -95,7 +95,7 @@ vtkTypeBool vtkTextureCoordinateAdvection::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   auto& state = *this->State;
-  if (state.BeginsAnew(request))
+  if (state.RestartsUpdate(request))
   {
     if (state.Continuing)
     {

@@ -322,19 +322,19 @@ void addPlacesWithAltitude(TexturedSurface& result, vtkPolyData* input, const Te
     input->GetPoint(i, p.data());
     return p;
   };
-  result.GoesRound = length.IsGlobe();
-  for (vtkIdType i = 0; result.GoesRound && i < places->GetNumberOfTuples(); ++i)
+  result.WrapsAround = length.IsGlobe();
+  for (vtkIdType i = 0; result.WrapsAround && i < places->GetNumberOfTuples(); ++i)
   {
     const auto p = point(i);
     const double turn = 2 * vtkMath::Pi();
     places->SetComponent(i, 0, result.Scale * std::atan2(p[1], p[0]) / turn);
     places->SetComponent(i, 1, result.Scale * std::atan2(p[2], std::hypot(p[0], p[1])) / turn);
   }
-  const double ofData[2] = { result.GoesRound ? length.SmallestRadius : length.Low[2],
-    result.GoesRound ? length.LargestRadius : length.High[2] };
+  const double ofData[2] = { result.WrapsAround ? length.SmallestRadius : length.Low[2],
+    result.WrapsAround ? length.LargestRadius : length.High[2] };
   setAltitudes(
     places,
-    [&](vtkIdType i) { return result.GoesRound ? vtkMath::Norm(point(i).data()) : point(i)[2]; },
+    [&](vtkIdType i) { return result.WrapsAround ? vtkMath::Norm(point(i).data()) : point(i)[2]; },
     choice.AltitudeRange, ofData);
   result.Surface->GetPointData()->AddArray(places);
 }
@@ -350,7 +350,7 @@ void addPlaces(TexturedSurface& result, vtkPolyData* input, const TextureChoice&
     coordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]));
 }
 
-void cutWhereTextureGoesRound(TexturedSurface& result, vtkPolyData* input, int sets)
+void cutWhereTextureWraps(TexturedSurface& result, vtkPolyData* input, int sets)
 {
   if (input->GetNumberOfStrips() > 0)
   {
@@ -404,14 +404,14 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
     result.Warning +=
       areWeights ? "" : "TextureWeights must be >= 0, and not all 0: both sets count the same. ";
   }
-  result.GoesRound = sets > 0 && !isCartesian;
+  result.WrapsAround = sets > 0 && !isCartesian;
   if (sets == 0)
   {
     addPlaces(result, input, choice);
   }
-  if (result.GoesRound)
+  if (result.WrapsAround)
   {
-    cutWhereTextureGoesRound(result, input, std::max(sets, 1));
+    cutWhereTextureWraps(result, input, std::max(sets, 1));
   }
 }
 

@@ -20,8 +20,8 @@ struct TexturedSurface
   vtkSmartPointer<vtkPolyData> Surface; ///< null: nothing can be drawn
   double Center[3] = { 0, 0, 0 };       ///< what places are given from
   double Weights[2] = { 1, 0 };
-  double Scale = 1;       ///< repetitions of the texture in one unit of the coordinates
-  bool GoesRound = false; ///< u is a longitude
+  double Scale = 1;         ///< repetitions of the texture in one unit of the coordinates
+  bool WrapsAround = false; ///< u is a longitude
   bool HasSecondSet = false;
   bool HasWeights = false; ///< of points
   bool HasCover = false;

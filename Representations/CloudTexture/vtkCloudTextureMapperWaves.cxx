@@ -84,7 +84,7 @@ void vtkCloudTextureMapper::ChooseWaves()
   {
     own.InUse = nephoscope::cloudWaves();
   }
-  if (own.Surface.GoesRound)
+  if (own.Surface.WrapsAround)
   {
     nephoscope::closeOnLongitudes(own.InUse);
   }

@@ -64,11 +64,11 @@ TEST(ParticleSize, RainByHand)
   EXPECT_NEAR(particles::RainRadius(1e-3), 0.66992e-3, 1e-7);
 }
 
-TEST(ParticleSize, IceShare)
+TEST(ParticleSize, IceFraction)
 {
-  EXPECT_EQ(particles::IceShare(280), 0);
-  EXPECT_EQ(particles::IceShare(240), 1);
-  EXPECT_NEAR(particles::IceShare(263.16), 0.5, 1e-12);
+  EXPECT_EQ(particles::IceFraction(280), 0);
+  EXPECT_EQ(particles::IceFraction(240), 1);
+  EXPECT_NEAR(particles::IceFraction(263.16), 0.5, 1e-12);
 }
 
 // Half of the extinction is liquid with g = 0.85382, half ice with g = 0.783653 (30 micrometres).

@@ -108,7 +108,7 @@ void TidyLoops(std::vector<Loop>& loops)
 }
 
 // Polygons whose orientation differs from that of most of the area are reversed.
-void TurnAlike(PolygonMesh& mesh)
+void OrientConsistently(PolygonMesh& mesh)
 {
   Vector3 sum{};
   for (const auto& triangle : mesh.Triangles)
@@ -263,7 +263,7 @@ bool TriangulatePolygons(
       return false;
     }
   }
-  TurnAlike(mesh);
+  OrientConsistently(mesh);
   SwapToDelaunay(mesh, 0.0);
   const double length =
     maximumEdgeLength > 0.0 ? maximumEdgeLength : 0.25 * LongestExtent(mesh.Points);

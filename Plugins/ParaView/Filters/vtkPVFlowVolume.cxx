@@ -51,7 +51,7 @@ double DiagonalOfAllRanks(vtkDataObject* data)
 }
 
 // What the rank found that has the best place. Collective.
-void TakeBestOfAllRanks(std::vector<double>& place)
+void TakeBestOverRanks(std::vector<double>& place)
 {
   auto controller = vtkMultiProcessController::GetGlobalController();
   if (!controller || controller->GetNumberOfProcesses() == 1)
@@ -192,7 +192,7 @@ void vtkPVFlowVolume::SetPreviewCenter(double x, double y, double z)
   {
     best.assign(5, 0.0);
   }
-  TakeBestOfAllRanks(best);
+  TakeBestOverRanks(best);
   std::copy_n(best.begin() + 2, 3, this->PreviewNormal);
   vtkMath::Normalize(this->PreviewNormal);
 }

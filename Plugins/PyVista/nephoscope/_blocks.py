@@ -123,7 +123,7 @@ def _why_without(block: pyvista.DataSet, kind: str, name: str) -> str:
     return f"{name!r} is on {here} there, on {kind[:-5]}s in other blocks: use block.{remedy}()"
 
 
-def alike(blocks: list[pyvista.DataSet]) -> list[pyvista.DataSet]:
+def matching_arrays(blocks: list[pyvista.DataSet]) -> list[pyvista.DataSet]:
     """The blocks, ready to be combined. Arrays that only some blocks have, or that differ in type, would be lost. Arrays with the same name get
     the same type; if some blocks have ghost flags, the others get flags of 0."""
     blocks = [block.copy(deep=False) for block in blocks]

@@ -23,7 +23,7 @@ def meshed(data: Any) -> Any:
     if not is_weather(data):
         return data
     accessor = _accessor(data)
-    return accessor.mesh() if accessor._is_flat({}) else accessor.globe(derive=accessor._air_of_light())
+    return accessor.mesh() if accessor._is_flat({}) else accessor.globe(derive=accessor._air_for_light())
 
 
 def _accessor(data: Any) -> Any:

@@ -10,7 +10,7 @@ import pyvista
 
 from ._checks import require_number
 from ._fields import preset_of_field
-from ._over_time import greatest
+from ._over_time import step_with_greatest
 from .globe import EARTH_RADIUS, is_map
 
 AMERICA = np.array([0.3, -1.0, 0.35])  # of fields all round the globe
@@ -33,7 +33,7 @@ def _side_of(grid: pyvista.DataSet, name: str) -> np.ndarray | None:
     """The mean direction of what the field has above its median, on a globe; None if it has that all round."""
     on_points = name in grid.point_data
     values = np.asarray((grid.point_data if on_points else grid.cell_data)[name], float)
-    if not np.nanmax(values, initial=-np.inf) > np.nanmin(values, initial=np.inf) and (fullest := greatest(grid, name)) is not grid:
+    if not np.nanmax(values, initial=-np.inf) > np.nanmin(values, initial=np.inf) and (fullest := step_with_greatest(grid, name)) is not grid:
         return _side_of(fullest, name)  # rain that begins later
     places = np.asarray(grid.points if on_points else grid.cell_centers().points, float)
     lengths = np.linalg.norm(places, axis=1)

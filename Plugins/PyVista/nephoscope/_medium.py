@@ -15,7 +15,7 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkHyperTreeGrid,
 from vtkmodules.vtkRenderingCore import vtkActor, vtkVolume, vtkVolumeProperty
 
 from ._bars import add_bar
-from ._blocks import alike, cell_dimension, fitting, named_blocks
+from ._blocks import cell_dimension, fitting, matching_arrays, named_blocks
 from ._checks import arrays_of, as_array, listed, require_number
 from ._components import are_colours, reduced, require_component, title_of
 from ._copies import MediumVolume
@@ -54,7 +54,7 @@ def wrapped(data: Any, merge_points: bool, arrays: Mapping[str, Any] | None = No
         blocks = [(name, block) for name, block in named_blocks(data) if block.n_points]
         used = [block for _, block in blocks] if arrays is None else fitting(blocks, arrays, points_fit=not merge_points)
         merge_points = merge_points or all(cell_dimension(block) == 3 for block in used)  # splats of points on a common face would count twice
-        return pyvista.MultiBlock(alike(used)).combine(merge_points=merge_points) if used else pyvista.UnstructuredGrid()
+        return pyvista.MultiBlock(matching_arrays(used)).combine(merge_points=merge_points) if used else pyvista.UnstructuredGrid()
     try:
         return pyvista.wrap(data)
     except (TypeError, NotImplementedError):

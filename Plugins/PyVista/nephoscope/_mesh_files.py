@@ -12,7 +12,7 @@ from typing import Any, Callable
 import pyvista
 from vtkmodules.vtkCommonCore import vtkLogger
 
-from ._blocks import alike, cell_dimension, named_blocks
+from ._blocks import cell_dimension, matching_arrays, named_blocks
 from ._checks import listed
 from ._pipeline import level_of_caller
 from .weather.foreign import ENDINGS
@@ -86,4 +86,4 @@ def one_volume(mesh: Any, warns: bool) -> Any:
     others = [name for (name, _), dimension in zip(blocks, dimensions) if dimension < max(dimensions)]
     if others and warns:
         warnings.warn(f"Blocks that are not drawn, because others have cells of a higher dimension: {listed(others)}.", UserWarning, stacklevel=level_of_caller())
-    return pyvista.MultiBlock(alike(used)).combine(merge_points=max(dimensions) == 3) if used else pyvista.UnstructuredGrid()
+    return pyvista.MultiBlock(matching_arrays(used)).combine(merge_points=max(dimensions) == 3) if used else pyvista.UnstructuredGrid()

@@ -37,7 +37,7 @@ def densest(grid: pyvista.DataSet, name: str, opacity: Any, component: int | Non
     series = _series.get(grid.memory_address)
     if series is None:
         return grid
-    return series.greatest(name, lambda values: np.mean([opacity.GetValue(value) for value in values]), component)
+    return series.step_with_greatest(name, lambda values: np.mean([opacity.GetValue(value) for value in values]), component)
 
 
 def lengths_of_vectors(grid: pyvista.DataSet, name: str) -> np.ndarray:
@@ -47,7 +47,7 @@ def lengths_of_vectors(grid: pyvista.DataSet, name: str) -> np.ndarray:
     return lengths[lengths > 0]
 
 
-def greatest(grid: pyvista.DataSet, name: str) -> pyvista.DataSet:
+def step_with_greatest(grid: pyvista.DataSet, name: str) -> pyvista.DataSet:
     """The grid; for the mesh of a series, the grid of the step whose values, or lengths of vectors, have the greatest mean."""
     series = _series.get(grid.memory_address)
-    return grid if series is None else series.greatest(name, np.mean)
+    return grid if series is None else series.step_with_greatest(name, np.mean)

@@ -14,7 +14,7 @@ from . import vtkSplatSpeedKey
 from ._bars import add_bar, key_of
 from ._checks import choose, listed, require_beside_scalars, require_number
 from ._medium import array_values, lookup_table, text_colour
-from ._over_time import greatest, lengths_of_vectors, values_over_time
+from ._over_time import lengths_of_vectors, step_with_greatest, values_over_time
 from ._pipeline import level_of_caller
 from ._typing import Numbers
 from .transfer import colour_function
@@ -145,7 +145,7 @@ class Vectors:
             return
         drawn, speed = mapper.dataset, self._full_length(lengths_of_vectors(given, self.array))
         if speed is not None:
-            mapper.SetInputData(_with_arrays(greatest(given, self.array), drawn))
+            mapper.SetInputData(_with_arrays(step_with_greatest(given, self.array), drawn))
             if self.maximum_speed is None:
                 mapper.SetMaximumSpeed(speed)
         self._suit_to_medium(mapper, plotter, prop)

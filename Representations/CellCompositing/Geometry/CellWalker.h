@@ -84,7 +84,7 @@ public:
   CellShape FindShape(vtkIdType cell)
   {
     const auto rounded = [this](vtkIdType id) { return this->Geometry.Position(std::int32_t(id)); };
-    return this->Source.IsSurelyWhole(rounded) ? CellShape::Whole : this->Source.PutInOrder(cell);
+    return this->Source.PassesQuickTest(rounded) ? CellShape::Whole : this->Source.PutInOrder(cell);
   }
   /** The shape of the cell that was walked last. */
   CellShape GetShape() const { return this->Source.GetShape(); }

@@ -112,7 +112,7 @@ bool joinRanks(std::vector<SharedPoint>& points, ColoredParts& wholes)
 }
 
 // The first whole of those that belong together is even.
-std::vector<unsigned char> oddWholes(ColoredParts& wholes, int first, std::size_t count)
+std::vector<unsigned char> paritiesOfWholes(ColoredParts& wholes, int first, std::size_t count)
 {
   std::vector<int> flips(wholes.Count(), -1);
   std::vector<unsigned char> odd(count);
@@ -157,7 +157,7 @@ vtkSmartPointer<vtkUnsignedCharArray> rankDivisions(
   std::vector<SharedPoint> points =
     pointsOfAll(controller, sharedPoints(cells, colors, counts.first));
   return joinRanks(points, wholes)
-    ? colors.MakeDivisions(oddWholes(wholes, counts.first, colors.CountWholes()))
+    ? colors.MakeDivisions(paritiesOfWholes(wholes, counts.first, colors.CountWholes()))
     : noDivisions(cells);
 }
 }

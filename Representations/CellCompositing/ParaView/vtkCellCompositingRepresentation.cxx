@@ -63,7 +63,7 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
 
   // The measures are those of a sample.
   const bool hasNoVolume =
-    all.Volume <= 0.0 && LeastOverRanks(nephoscope::holdsVolume(this->Piece) ? 0 : 1) == 1;
+    all.Volume <= 0.0 && MinimumOverRanks(nephoscope::holdsVolume(this->Piece) ? 0 : 1) == 1;
   if (hasNoVolume)
   {
     this->Piece = nullptr; // the mapper would tell the same in its own words
@@ -77,7 +77,7 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
   }
   if (GetNumberOfRanks() > 1)
   {
-    this->AxisAligned = LeastOverRanks(this->AxisAligned ? 1 : 0) != 0;
+    this->AxisAligned = MinimumOverRanks(this->AxisAligned ? 1 : 0) != 0;
     if (!this->AxisAligned)
     {
       this->MakeListOfCells(false);

@@ -40,10 +40,10 @@ void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
   this->Superclass::MovePiece(matrix);
   const bool aligned =
     this->Piece->GetNumberOfCells() == 0 || nephoscope::isAxisAligned(this->Piece);
-  if (this->AxisAligned && LeastOverRanks(aligned ? 1 : 0) == 0)
+  if (this->AxisAligned && MinimumOverRanks(aligned ? 1 : 0) == 0)
   {
     this->AxisAligned = false;
-    this->MakeListOfCells(LeastOverRanks(isImage ? 1 : 0) == 1);
+    this->MakeListOfCells(MinimumOverRanks(isImage ? 1 : 0) == 1);
   }
 }
 
@@ -73,8 +73,8 @@ void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
   }
   const auto mine = nephoscope::formOfWholeCells(cells);
   using Form = nephoscope::WholeCells;
-  const bool canBeTrilinear = LeastOverRanks(mine == Form::Tetrahedra ? 0 : 1) == 1;
-  const bool isWarped = LeastOverRanks(mine == Form::Trilinear ? 0 : 1) == 0;
+  const bool canBeTrilinear = MinimumOverRanks(mine == Form::Tetrahedra ? 0 : 1) == 1;
+  const bool isWarped = MinimumOverRanks(mine == Form::Trilinear ? 0 : 1) == 0;
   const Form all = !canBeTrilinear ? Form::Tetrahedra
     : isWarped || areEven          ? Form::Trilinear
                                    : Form::Either;

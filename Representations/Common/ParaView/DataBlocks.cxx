@@ -164,7 +164,7 @@ void completeFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attri
 }
 
 // Copies that have the same arrays, of one type, and the same flags.
-void makeAlike(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
+void matchArrays(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
 {
   for (auto& block : blocks)
   {
@@ -233,7 +233,7 @@ vtkSmartPointer<vtkDataSet> appendedBlocks(
   const bool meshes =
     border == BorderPoints::Merged && std::all_of(blocks.begin(), blocks.end(), hasVolumes);
   append->SetMergePoints(adaptive || meshes);
-  makeAlike(blocks);
+  matchArrays(blocks);
   for (vtkDataSet* block : blocks)
   {
     append->AddInputData(block);

@@ -114,7 +114,7 @@ bool vtkMediumRepresentation::IsFirstRank()
   return !controller || controller->GetLocalProcessId() == 0;
 }
 
-int vtkMediumRepresentation::LeastOverRanks(int mine)
+int vtkMediumRepresentation::MinimumOverRanks(int mine)
 {
   int least = mine;
   if (vtkMediumRepresentation::GetNumberOfRanks() > 1)
@@ -130,7 +130,7 @@ bool vtkMediumRepresentation::HoldsAnything(vtkDataObject* input)
   const bool here = input &&
     (input->GetNumberOfElements(vtkDataObject::POINT) > 0 ||
       input->GetNumberOfElements(vtkDataObject::CELL) > 0);
-  return LeastOverRanks(here ? 0 : 1) == 0;
+  return MinimumOverRanks(here ? 0 : 1) == 0;
 }
 
 void vtkMediumRepresentation::StoreMeasures(

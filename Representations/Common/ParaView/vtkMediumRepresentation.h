@@ -124,7 +124,7 @@ protected:
   static int GetNumberOfRanks();
   static bool IsFirstRank();
   /** The least of what the ranks have. Called by all ranks. */
-  static int LeastOverRanks(int mine);
+  static int MinimumOverRanks(int mine);
   /** Whether the input of any rank, which may be null, has points or cells; what has not is reported by whoever made it. Called by all ranks. */
   static bool HoldsAnything(vtkDataObject* input);
   /**

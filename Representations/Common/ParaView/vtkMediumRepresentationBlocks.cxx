@@ -29,7 +29,7 @@ vtkSmartPointer<vtkDataObject> vtkMediumRepresentation::KeepDrawnBlocks(vtkDataO
   {
     const nephoscope::DrawnBlocks drawn = nephoscope::blocksWith(
       array, data, [this](vtkDataObject* block) { return this->DrawsBlock(block); },
-      [](bool here) { return LeastOverRanks(here ? 0 : 1) == 0; });
+      [](bool here) { return MinimumOverRanks(here ? 0 : 1) == 0; });
     data = drawn.Data;
     message += (message.empty() || drawn.Message.empty() ? "" : " ") + drawn.Message;
   }
@@ -51,7 +51,7 @@ void vtkMediumRepresentation::WarnOfMissingArray()
   const std::string asked = name ? name : "";
   const bool here = this->Piece && !asked.empty() &&
     (this->Piece->GetPointData()->HasArray(name) || this->Piece->GetCellData()->HasArray(name));
-  const bool missing = !asked.empty() && this->HasPiece && LeastOverRanks(here ? 0 : 1) == 1;
+  const bool missing = !asked.empty() && this->HasPiece && MinimumOverRanks(here ? 0 : 1) == 1;
   if (missing && this->MissingArray != asked && IsFirstRank())
   {
     vtkWarningMacro(<< "The data have no array '" << asked

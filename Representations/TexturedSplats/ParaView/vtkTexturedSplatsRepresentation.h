@@ -168,7 +168,7 @@ private:
   double GetLoopTime() const;
   void MoveVectors();
   bool DrawsMedium();
-  void TellLongVectors(const std::string& text);
+  void WarnOfLongVectors(const std::string& text);
   void StoreSuited(const nephoscope::SplatSampling& sampling, const std::array<double, 6>& common);
   double GetShareOf(vtkDataSet* data);
   void SuitVectors(vtkDataSet* data);

@@ -122,7 +122,7 @@ vtkDataSet* vtkTexturedSplatsRepresentation::CompletePiece(vtkDataSet* data, vtk
 }
 
 // The mapper tells it on one rank.
-void vtkTexturedSplatsRepresentation::TellLongVectors(const std::string& text)
+void vtkTexturedSplatsRepresentation::WarnOfLongVectors(const std::string& text)
 {
   if (this->Meeting->LongVectors.IsNew(text) && GetNumberOfRanks() > 1 && IsFirstRank())
   {

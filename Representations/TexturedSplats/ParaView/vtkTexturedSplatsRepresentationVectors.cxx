@@ -91,7 +91,7 @@ void vtkTexturedSplatsRepresentation::StoreSuited(
     nephoscope::measureSplats(this->Piece, sampling, vectors, {}, common));
   const nephoscope::SpeedCounts speeds =
     nephoscope::speedsOfRanks(nephoscope::CountSpeeds(this->Piece, sampling, vectors));
-  this->TellLongVectors(this->GreatestSpeed > 0.0 ? "" : speeds.DescribeLong(name));
+  this->WarnOfLongVectors(this->GreatestSpeed > 0.0 ? "" : speeds.DescribeLong(name));
   const auto suited = nephoscope::suitVectors(all, common,
     this->GreatestSpeed > 0.0 ? this->GreatestSpeed : speeds.GetFull(), speeds.GetNumber());
   nephoscope::storeNumbers(this->Piece, suitedName, { suited.Opacity, suited.Share });

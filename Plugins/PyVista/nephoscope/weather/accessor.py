@@ -60,7 +60,7 @@ class WeatherAccessor:
         from .reading import Reading
         return Reading(self._dataset, time=0 if time is None else time, vertical=options.get("vertical"), names=_options(options)[0])
 
-    def _air_of_light(self):
+    def _air_for_light(self):
         """What `derive` must compute for light in clouds."""
         from .in_the_sun import missing_air
         return missing_air(self._reading(None, {}))

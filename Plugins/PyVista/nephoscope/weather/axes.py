@@ -43,7 +43,7 @@ def _without_repeated(axis: np.ndarray, order: np.ndarray) -> np.ndarray:
     return order[np.diff(axis[order], prepend=-np.inf) > SAME]
 
 
-def told(name: str, size: int, order: np.ndarray | None) -> list[str]:
+def notes_of_order(name: str, size: int, order: np.ndarray | None) -> list[str]:
     """What was done, for `describe`."""
     if order is None:
         return []

@@ -71,7 +71,7 @@ def _rounded(factor: float) -> float:
     return max([number for number in ROUND if number <= 1.000001 * factor], default=1.0)
 
 
-def say(plotter: Any, grid: pyvista.DataSet) -> None:
+def write_exaggeration(plotter: Any, grid: pyvista.DataSet) -> None:
     """Writes an exaggeration of flat data, which have none unless it is needed, into the picture."""
     factor = float(np.ravel(grid.field_data.get("VerticalExaggeration", [1.0]))[0])
     if factor != 1:

@@ -13,7 +13,7 @@ from .._blocks import cell_dimension
 from .._medium import association_of, default_scalars
 from .._over_time import follows
 from .bars import BESIDE, bars_in, finish_bars, make_room
-from .exaggeration import say
+from .exaggeration import write_exaggeration
 from .forms import form_of, told_form
 from .look import surface_look, with_share
 from .picture import refuse_volume, without_missing
@@ -81,7 +81,7 @@ def draw_flat(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, scalars: str 
     else:
         flat = next((letter for letter, count in zip("xyz", grid.dimensions) if count == 1), "z")
         title = _draw_section(plotter, grid, scalars, options, flat, _lengths(grid), title)
-    say(plotter, grid)
+    write_exaggeration(plotter, grid)
     finish_bars(plotter, bars, title, options.get("clim"))
     make_room(plotter, as_high=False)
 

@@ -34,7 +34,7 @@ def _missing(steps: np.ndarray) -> np.ndarray:
     return np.where(wide & bool(smooth), np.clip(np.round(steps / usual) - 1, 1, 4 * len(steps)), 0).astype(int)
 
 
-def told(name: str, axis: np.ndarray, added: np.ndarray) -> list[str]:
+def notes_of_gaps(name: str, axis: np.ndarray, added: np.ndarray) -> list[str]:
     """A sentence about the lines that were `added` to the axis."""
     there = np.flatnonzero(~added)
     ends = [(axis[i], axis[j]) for i, j in zip(there[:-1], there[1:]) if j > i + 1]

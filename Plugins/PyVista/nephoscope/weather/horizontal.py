@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .._checks import listed
-from .axes import eastward, northward, told
+from .axes import eastward, northward, notes_of_order
 from .caps import Caps, find_caps
 from .fold import Fold, closed_fold
-from .gaps import told as told_gaps, with_gaps
+from .gaps import notes_of_gaps, with_gaps
 from .gaussian import Rows, find_rows
 from .projections import Projection, find_lost_projection, find_projection, mapping_of, row_angles, vectors
 
@@ -284,7 +284,7 @@ def _regular(lon, lat, x: np.ndarray, y: np.ndarray, names) -> Horizontal:
     (east, columns), (north, lines) = eastward(x), northward(y)
     if not len(east) or not len(north):
         raise GridError(f"{names[0]!r} or {names[1]!r} has only missing values, so no point has a position.")
-    notes = told(names[0], len(x), columns) + told(names[1], len(y), lines)
+    notes = notes_of_order(names[0], len(x), columns) + notes_of_order(names[1], len(y), lines)
     (east, columns, no_column), (north, lines, no_line) = with_gaps(east, columns), with_gaps(north, lines)
     grid = Horizontal((lat.dims[0], lon.dims[0]), east, north, _regular_kind(north), names, notes=notes, columns=columns, lines=lines)
     return _with_gaps(grid, (east, no_column), (north, no_line))
@@ -292,7 +292,7 @@ def _regular(lon, lat, x: np.ndarray, y: np.ndarray, names) -> Horizontal:
 
 def _with_gaps(grid: Horizontal, *added: tuple[np.ndarray, np.ndarray]) -> Horizontal:
     """`added`: x and y axes, and True for each of their lines that are not in the file."""
-    grid.gaps = [text for name, axis in zip(grid.names, added) for text in told_gaps(name, *axis)]
+    grid.gaps = [text for name, axis in zip(grid.names, added) for text in notes_of_gaps(name, *axis)]
     if grid.gaps:
         missing = added[1][1][:, None] | added[0][1]
         grid.missing = missing if grid.missing is None else grid.missing | missing

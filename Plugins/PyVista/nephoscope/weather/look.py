@@ -83,7 +83,7 @@ def surface_look(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str,
     colours = preset.colour_map(is_bright(plotter.background_color))
     if preset.name in SHEER:
         if "opacity" not in options:
-            _warn_of_nothing(values, name, clim)
+            _warn_of_empty_picture(values, name, clim)
         options = {"opacity": "linear", **options}
         if preset.name == "smoke" and over_ground:  # its browns are those of deserts
             return {**({} if clim is None else {"clim": clim}), **options}
@@ -100,7 +100,7 @@ def _range_of(values: np.ndarray, moves: bool) -> tuple[float, float] | None:
     return (low - 0.5, high + 0.5) if low == high else (low, high)
 
 
-def _warn_of_nothing(values: np.ndarray, name: str, clim: tuple[float, float] | None) -> None:
+def _warn_of_empty_picture(values: np.ndarray, name: str, clim: tuple[float, float] | None) -> None:
     """Warns if a surface is transparent at all its values."""
     finite = values[np.isfinite(values)]
     if clim is not None and finite.size and finite.max() <= clim[0]:

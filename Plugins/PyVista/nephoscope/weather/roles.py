@@ -64,7 +64,7 @@ SURFACE = [
 ROLES = {role.name: role for role in FIELDS + SURFACE}
 _OF_LEVELS = re.compile(r"_(isobaric|hybrid\d*|sigma|height_above_ground|pl|ml|pressure|surface|gds\d+_\w+|p\d+_l\d+_g\w+)$")
 UNKNOWN_GRIB = ("unknown", "~", "")
-_TOLD = ("long_name", "description", "desc", "title")  # attributes that say in words what a variable is
+_DESCRIPTIONS = ("long_name", "description", "desc", "title")  # attributes that say in words what a variable is
 _SHORTEST = 4  # letters; shorter names are not words
 
 
@@ -93,14 +93,14 @@ def _rank(role: Role, name: str, variable) -> int | None:
         return None
     plain = next((plain for plain in (name.lower(), _OF_LEVELS.sub("", name.lower())) if plain in role.names), None)
     if plain is None:
-        return 400 if not short and _is_told(role, variable) else None
+        return 400 if not short and _is_described(role, variable) else None
     return 200 + role.names.index(plain)
 
 
-def _is_told(role: Role, variable) -> bool:
+def _is_described(role: Role, variable) -> bool:
     """Whether the words of a long name or a description are exactly those of the role, and its units are right."""
     known = {word.replace("_", " ") for word in (role.meaning, *role.standard, *role.names) if len(word) >= _SHORTEST}
-    told = {re.sub(r"[\s_]+", " ", str(variable.attrs[key]).strip().lower()) for key in _TOLD if key in variable.attrs}
+    told = {re.sub(r"[\s_]+", " ", str(variable.attrs[key]).strip().lower()) for key in _DESCRIPTIONS if key in variable.attrs}
     return bool(told & known) and bool(str(variable.attrs.get("units", "")).strip()) and quantity_of(role, variable) is not None
 
 

@@ -141,7 +141,7 @@ class Series(Sequence):
             self._samples[name, component] = [self._sample_of(int(step), name, component) for step in self._sampled()]
         return self._samples[name, component]
 
-    def greatest(self, name: str, measure: Callable[[np.ndarray], float], component: int | None = None) -> pyvista.DataSet:
+    def step_with_greatest(self, name: str, measure: Callable[[np.ndarray], float], component: int | None = None) -> pyvista.DataSet:
         """The mesh of the sampled step whose values, as in `samples`, have the greatest `measure`."""
         measures = [measure(values) if len(values) else -np.inf for values in self.samples(name, component)]
         step = int(self._sampled()[int(np.argmax(measures))])
