@@ -33,8 +33,8 @@ def representations():
 
 def definitions():
     """The XML of the plugin, as files."""
-    smoke = filled("FlowVolume.xml.in", {"flow_volume_properties": (PLUGIN / "FlowVolumeProperties.xml.in").read_text(encoding="utf-8")})
-    return [*sorted(PLUGIN.glob("*.xml")), io.StringIO(smoke), io.StringIO(representations())]
+    shared = [filled(f"{name}.xml.in", {"shared_properties": (PLUGIN / f"{name}Properties.xml.in").read_text(encoding="utf-8")}) for name in ("FlowVolume", "Smoothing")]
+    return [*sorted(PLUGIN.glob("*.xml")), *map(io.StringIO, shared), io.StringIO(representations())]
 
 
 def row(prop):

@@ -25,8 +25,8 @@ PARAVIEW = TOP / "Plugins/ParaView"
 CLASSES = {
     "vtkGlobeGrid": (["Filters.xml"], ["globe"]),
     "vtkGlobeTerrain": (["GlobeTerrain.xml"], ["terrain"]),
-    "vtkStructuredSmoothing": (["Filters.xml"], ["clouds"]),
-    "vtkCloudSurface": (["Filters.xml"], ["clouds"]),
+    "vtkStructuredSmoothing": (["Smoothing.xml.in", "SmoothingProperties.xml.in"], ["clouds"]),
+    "vtkCloudSurface": (["Smoothing.xml.in", "SmoothingProperties.xml.in"], ["clouds"]),
     "vtkContourCellSplitter": (["Filters.xml"], ["splitting"]),
     "vtkPolyhedronToTetrahedra": (["Filters.xml"], ["polyhedra"]),
     "vtkFlowVolume": (["FlowVolume.xml.in", "FlowVolumeProperties.xml.in"], ["smoke"]),
