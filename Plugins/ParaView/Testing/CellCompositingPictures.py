@@ -4,24 +4,9 @@
 import math
 
 import numpy as np
-from FirstPictures import SENSIBLE, check_first_pictures
-from PluginTesting import (check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
+from FirstPictures import SENSIBLE, check_first_pictures, check_units, solid_picture
+from PluginTesting import (NAME, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
                            new_view, passed, pvs, solid)
-
-
-def check_units():
-    """The same data in other units of length gives the same picture."""
-    wavelet = pvs.Wavelet()
-    pictures = []
-    for scale in (1.0, 1000.0):
-        source = pvs.Transform(Input=wavelet)
-        source.Transform.Scale = [scale] * 3
-        view = new_view()
-        compose(source, view)
-        look(view, position=[scale * c for c in (60, 45, 70)])
-        pictures.append(image(view))
-    check(pictures[0].mean() > 5, "nothing is drawn")
-    check_same(*pictures, "units", largest=1, mean=0.05)
 
 
 def check_datasets_agree():
@@ -101,16 +86,7 @@ def check_alpha_formula():
 
 
 def check_solid_color():
-    """Without an array: a uniform medium of the solid colour."""
-    view = new_view()
-    display = pvs.Show(pvs.Wavelet(), view)
-    display.SetRepresentationType("Cell Compositing")
-    solid(display, [0, 1, 0])
-    look(view)
-    on_black, alpha = color_and_alpha(view)
-    mean = inside_mean_alpha(alpha)
-    check(SENSIBLE[0] < mean < SENSIBLE[1], f"solid colour: mean alpha {mean}")
-    check(on_black[:, :, [0, 2]].max() < 1, "solid colour is not green")
+    on_black, alpha = solid_picture(NAME, pvs.Wavelet())
     check(np.abs(on_black[:, :, 1] / 255 - alpha).max() < 0.01, "the medium does not glow in its colour")
 
 
@@ -158,7 +134,7 @@ def check_methods():
 load_plugin()
 wavelet = pvs.Wavelet()
 check_first_pictures("Cell Compositing", wavelet)
-check_units()
+check_units(NAME, "the wavelet", pvs.Wavelet())
 check_datasets_agree()
 check_change_of_array()
 check_alpha_formula()

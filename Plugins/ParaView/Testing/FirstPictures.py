@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """The first picture of a representation is sensible for any data: neither invisible nor opaque, nothing set but the choice."""
-from PluginTesting import GFS, check, clear, color_and_alpha, compose, empty_view, inside_mean_alpha, pvs
+from PluginTesting import (GFS, check, check_same, clear, color_and_alpha, compose, empty_view, image, inside_mean_alpha, look, new_view, pvs,
+                           solid)
 
 # The mean alpha of the pixels that show anything.
 SENSIBLE = (0.25, 0.97)
@@ -22,6 +23,34 @@ def check_first_picture(representation, name, source, array=("POINTS", "RTData")
     mean = inside_mean_alpha(first_alpha(representation, source, array))
     print(f"first picture of {name}: mean alpha {mean:.3f}", flush=True)
     check(SENSIBLE[0] < mean < SENSIBLE[1], f"{name}: mean alpha {mean:.3f} is outside {SENSIBLE}")
+
+
+def solid_picture(representation, source):
+    """Without an array: a uniform medium of the solid colour. Its colour on black, and its alpha."""
+    view = new_view()
+    display = pvs.Show(source, view)
+    display.SetRepresentationType(representation)
+    solid(display, [0, 1, 0])
+    look(view)
+    on_black, alpha = color_and_alpha(view)
+    mean = inside_mean_alpha(alpha)
+    check(SENSIBLE[0] < mean < SENSIBLE[1], f"solid colour: mean alpha {mean}")
+    check(on_black[:, :, [0, 2]].max() < 1 < on_black[:, :, 1].max(), "solid colour is not green")
+    return on_black, alpha
+
+
+def check_units(representation, name, data, array=("POINTS", "RTData")):
+    """The same data in other units of length gives the same picture."""
+    pictures = []
+    for scale in (1.0, 1000.0):
+        source = pvs.Transform(Input=data)
+        source.Transform.Scale = [scale] * 3
+        view = new_view()
+        compose(source, view, array, representation)
+        look(view, position=[scale * c for c in (60, 45, 70)])
+        pictures.append(image(view))
+    check(pictures[0].mean() > 5, "nothing is drawn")
+    check_same(*pictures, f"units of {name}", largest=1, mean=0.05)
 
 
 def check_constants(representation):

@@ -6,10 +6,10 @@ import os
 
 import nephoscope  # noqa: F401: so that the mapper has its own methods in Python
 import numpy as np
-from FirstPictures import SENSIBLE, check_first_picture, check_first_pictures
+from FirstPictures import check_first_picture, check_first_pictures, check_units, solid_picture
 from nephoscope_testing.messages import Messages
-from PluginTesting import (OUTPUT, check, check_same, color_and_alpha, compose, image, inside_mean_alpha, load_plugin, look,
-                           new_view, passed, pvs, solid)
+from PluginTesting import (OUTPUT, check, check_same, color_and_alpha, compose, image, load_plugin, look,
+                           new_view, passed, pvs)
 
 SPLATS = "Textured Splats"
 
@@ -17,21 +17,6 @@ SPLATS = "Textured Splats"
 def particles():
     points = pvs.PointSource(NumberOfPoints=2000, Radius=10)
     return pvs.Elevation(Input=points, LowPoint=[0, -10, 0], HighPoint=[0, 10, 0])
-
-
-def check_units():
-    """The same data in other units of length gives the same picture."""
-    for name, data, array in (("image", pvs.Wavelet(), "RTData"), ("particles", particles(), "Elevation")):
-        pictures = []
-        for scale in (1.0, 1000.0):
-            source = pvs.Transform(Input=data)
-            source.Transform.Scale = [scale] * 3
-            view = new_view()
-            compose(source, view, ("POINTS", array), SPLATS)
-            look(view, position=[scale * c for c in (60, 45, 70)])
-            pictures.append(image(view))
-        check(pictures[0].mean() > 5, "nothing is drawn")
-        check_same(*pictures, f"units of {name}", largest=1, mean=0.05)
 
 
 def check_alpha_formula():
@@ -52,18 +37,6 @@ def check_alpha_formula():
         found = color_and_alpha(view)[1][150, 150]
         expected = 1.0 - math.exp(-0.25 * scale * opacity * 20.0 / unit)  # 20 cells of edge 1
         check(abs(found - expected) < 2.5 / 255, f"unit {unit}, scale {scale}: alpha {found}, expected {expected}")
-
-
-def check_solid_color():
-    view = new_view()
-    display = pvs.Show(particles(), view)
-    display.SetRepresentationType(SPLATS)
-    solid(display, [0, 1, 0])
-    look(view)
-    on_black, alpha = color_and_alpha(view)
-    mean = inside_mean_alpha(alpha)
-    check(SENSIBLE[0] < mean < SENSIBLE[1], f"solid colour: mean alpha {mean}")
-    check(on_black[:, :, [0, 2]].max() < 1 < on_black[:, :, 1].max(), "solid colour is not green")
 
 
 def check_bounds_hold_splats():
@@ -292,9 +265,10 @@ wavelet = pvs.Wavelet()
 check_first_pictures(SPLATS, wavelet)
 check_first_picture(SPLATS, "blocks", pvs.GroupDatasets(Input=[wavelet, pvs.Tetrahedralize(Input=wavelet)]))
 check_first_picture(SPLATS, "particles", particles(), ("POINTS", "Elevation"))
-check_units()
+check_units(SPLATS, "image", pvs.Wavelet())
+check_units(SPLATS, "particles", particles(), ("POINTS", "Elevation"))
 check_alpha_formula()
-check_solid_color()
+solid_picture(SPLATS, particles())
 check_bounds_hold_splats()
 check_hierarchy_and_radius()
 check_vector_colors(flow(10))

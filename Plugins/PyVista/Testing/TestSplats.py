@@ -181,13 +181,6 @@ class Refused(Splats):
         self.fails(MissingDataError, "volumes: no array 'v'", particles(), "mass", volumes="v")
         self.fails(ValueError, "radius is 'large'; it must be one of 'neighbors'", particles(), "mass", radius="large")
 
-    def test_few_cells(self):
-        """One cell is a faint blob: a warning names the function that draws its shape."""
-        for mesh in (pyvista.examples.cells.Tetrahedron(), pyvista.ImageData(dimensions=(2, 2, 3))):
-            mesh["x"] = mesh.points[:, 2]
-            with self.assertWarnsRegex(RuntimeWarning, f"has {mesh.n_cells} cells?[.] .*add_cells"):
-                self.add(mesh)
-
     def test_numbers_and_choices(self):
         for bad in (0, -1, np.nan, np.inf):
             self.fails(ValueError, "opacity_unit_distance is .*greater than 0", opacity_unit_distance=bad)

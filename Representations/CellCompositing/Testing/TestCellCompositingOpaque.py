@@ -4,13 +4,12 @@
 import unittest
 
 import numpy as np
-from nephoscope_testing import meshes, reference
+from nephoscope_testing import meshes, reference, surfaces
 from nephoscope_testing.checks import ImageTestCase, cells_of, mapper
 from nephoscope_testing.compare import edge_mask
 from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.surfaces import sphere
 from nephoscope_testing.transfer import random_transfer
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 # Multiples of 1/255, so that the 8-bit background itself brings no error.
 BACKGROUND = (51 / 255, 102 / 255, 204 / 255)
@@ -25,29 +24,7 @@ def sample(seed, count=30, extinction=2.0):
 
 
 def plane(center, size=1.5, normal=(0.3, 0.4, 1)):
-    source = vtkPlaneSource()
-    source.SetOrigin(-size, -size, 0)
-    source.SetPoint1(size, -size, 0)
-    source.SetPoint2(-size, size, 0)
-    source.SetCenter(*center)
-    source.SetNormal(*normal)
-    return triangulated(source)
-
-
-def sphere(center, radius):
-    source = vtkSphereSource()
-    source.SetCenter(*center)
-    source.SetRadius(radius)
-    source.SetThetaResolution(14)
-    source.SetPhiResolution(10)
-    return triangulated(source)
-
-
-def triangulated(source):
-    triangles = vtkTriangleFilter()
-    triangles.SetInputConnection(source.GetOutputPort())
-    triangles.Update()
-    return triangles.GetOutput()
+    return surfaces.plane(center, size, normal)
 
 
 class Opaque(ImageTestCase):

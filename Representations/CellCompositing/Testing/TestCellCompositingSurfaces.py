@@ -9,10 +9,10 @@ from nephoscope_testing import meshes, reference, surfaces
 from nephoscope_testing.checks import BLEND_TOLERANCE, ImageTestCase, cells_of, mapper
 from nephoscope_testing.compare import edge_mask
 from nephoscope_testing.offscreen import Window
+from nephoscope_testing.surfaces import sphere
 from nephoscope_testing.transfer import random_transfer
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 # VTK's pass keeps what it has peeled in 8 bits and rounds it at every peel, half a step each time.
 PEEL_TOLERANCE = 4 / 255
@@ -28,30 +28,8 @@ def sample(seed, count=30, extinction=2.0, offset=(0, 0, 0)):
     return data, random_transfer(rng, 5, max_extinction=extinction)
 
 
-def triangulated(source):
-    triangles = vtkTriangleFilter()
-    triangles.SetInputConnection(source.GetOutputPort())
-    triangles.Update()
-    return triangles.GetOutput()
-
-
 def plane(center, size=1.5, normal=(0.1, 0.2, 1)):
-    source = vtkPlaneSource()
-    source.SetOrigin(-size, -size, 0)
-    source.SetPoint1(size, -size, 0)
-    source.SetPoint2(-size, size, 0)
-    source.SetCenter(*center)
-    source.SetNormal(*normal)
-    return triangulated(source)
-
-
-def sphere(center, radius):
-    source = vtkSphereSource()
-    source.SetCenter(*center)
-    source.SetRadius(radius)
-    source.SetThetaResolution(14)
-    source.SetPhiResolution(10)
-    return triangulated(source)
+    return surfaces.plane(center, size, normal)
 
 
 def peel(renderer, peels=50):

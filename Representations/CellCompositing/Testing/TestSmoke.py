@@ -11,6 +11,7 @@ from nephoscope_testing.compare import edge_mask
 from nephoscope_testing.offscreen import Window, float_image
 from nephoscope_testing.transfer import Transfer, constant
 from nephoscope_testing.reference import opaque_distance, render
+from nephoscope_testing.surfaces import plane
 from vtkmodules.vtkCommonCore import vtkFloatArray
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 
@@ -250,17 +251,6 @@ class Decision(ImageTestCase):
                 self.assertEqual(ours.GetNumberOfBrokenRelations(), 0)
 
 
-def plane(center, size=1.5, normal=(0.0, 0.0, 1.0)):
-    source = vtkPlaneSource()
-    source.SetOrigin(-size, -size, 0)
-    source.SetPoint1(size, -size, 0)
-    source.SetPoint2(-size, size, 0)
-    source.SetCenter(*center)
-    source.SetNormal(*normal)
-    source.Update()
-    return source.GetOutput()
-
-
 class Opaque(SmokeTestCase):
     SURFACE = (0.0, 0.4, 0.8)
 
@@ -283,11 +273,11 @@ class Opaque(SmokeTestCase):
     def test_a_slanted_surface_in_a_loop(self):
         data = meshes.with_field(smoke.loop(), lambda p: 0.5 + 0.3 * p[:, 2])
         transfer = Transfer([(0, *COLOR), (1, *COLOR)], [(0, 0.2), (1, 3)])
-        surface = meshes.triangles_of(triangles((0.2, 0.3, 0.5)))
+        surface = meshes.triangles_of(plane((0, 0.2, 0), 1.2, (0.2, 0.3, 0.5)))
         for method in METHODS:
             for parallel in (False, True):
                 window, scene, ours = scene_of(data, transfer, method, size=(96, 96))
-                scene.add_opaque(triangles((0.2, 0.3, 0.5)), self.SURFACE)
+                scene.add_opaque(plane((0, 0.2, 0), 1.2, (0.2, 0.3, 0.5)), self.SURFACE)
                 scene.look_at(data, parallel=parallel)
                 window.render()
                 view, cells = scene.view(), cells_of(data)
@@ -317,14 +307,6 @@ class Opaque(SmokeTestCase):
         window.render()
         self.assertGreater(hidden[..., 3].max(), 0.5)
         self.assertEqual(np.abs(float_image(ours)).max(), 0, "a surface in front hides all")
-
-
-def triangles(normal):
-    from vtkmodules.vtkFiltersCore import vtkTriangleFilter
-    made = vtkTriangleFilter()
-    made.SetInputData(plane((0, 0.2, 0), 1.2, normal))
-    made.Update()
-    return made.GetOutput()
 
 
 class Faint(SmokeTestCase):

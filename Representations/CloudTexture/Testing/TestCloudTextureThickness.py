@@ -101,6 +101,14 @@ class Thickness(BodyTestCase):
                 self.assertTrue(all("MaximumNumberOfLayers" in m for m in window.messages.all))
 
 
+def way_in_box(origins, directions, wall=None):
+    """Lengths of rays in the box, up to the wall at this z, and the middles of these ways."""
+    near, far = stay_in_box(origins, directions, LOW, HIGH)
+    stop = np.inf if wall is None else (wall - origins[:, 2]) / directions[:, 2]
+    end = np.maximum(near, np.minimum(far, stop))
+    return end - near, origins + (0.5 * (near + end))[:, None] * directions
+
+
 def image(low, high, size, density, name="density"):
     """A density at the points of an image."""
     data = meshes.image([n - 1 for n in size], np.subtract(high, low) / np.maximum(np.array(size) - 1, 1), low)
@@ -138,13 +146,9 @@ class DensityInSpace(BodyTestCase):
             if z is not None:
                 scene.add_opaque(wall(z), (0, 0, 0))
             drawn = self.draw(window)
-            origins, directions, _ = self.rays(scene)
-            near, far = stay_in_box(origins, directions, LOW, HIGH)
-            stop = np.inf if z is None else (z - origins[:, 2]) / directions[:, 2]
-            end = np.maximum(near, np.minimum(far, stop))
-            middle = origins + (0.5 * (near + end))[:, None] * directions
+            length, middle = way_in_box(*self.rays(scene)[:2], z)
             with self.subTest(z=z, parallel=parallel):
-                self.compare(drawn, opacity(0.5 * (end - near) * (2.5 + middle @ density)), share=0.999)
+                self.compare(drawn, opacity(0.5 * length * (2.5 + middle @ density)), share=0.999)
 
     def test_what_the_faces_do_not_know(self):
         """A sheet of cloud amid the body: 0 at its faces, 3 in the middle, linear between the points. The actor is stretched and turned."""
@@ -240,14 +244,10 @@ class Density(BodyTestCase):
             if z is not None:
                 scene.add_opaque(wall(z), (0, 0, 0))
             drawn = self.draw(window)
-            origins, directions, _ = self.rays(scene)
-            near, far = stay_in_box(origins, directions, LOW, HIGH)
-            stop = np.inf if z is None else (z - origins[:, 2]) / directions[:, 2]
-            end = np.maximum(near, np.minimum(far, stop))
-            middle = origins + (0.5 * (near + end))[:, None] * directions
+            length, middle = way_in_box(*self.rays(scene)[:2], z)
             with self.subTest(z=z, peeling=peeling):
                 # faces are two triangles each: values at corners are linear there, too
-                self.compare(drawn, opacity(0.8 * (end - near) * (1.5 + middle @ density)), share=0.999)
+                self.compare(drawn, opacity(0.8 * length * (1.5 + middle @ density)), share=0.999)
 
     def test_several_bodies(self):
         """Each has its own density, the one behind included."""

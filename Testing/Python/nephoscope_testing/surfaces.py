@@ -2,10 +2,39 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Translucent surfaces among the cells: the reference cuts every ray at every surface it meets."""
 import numpy as np
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 
 from . import reference
 
 SAME = 1e-6  # hits this near to each other, relative to the distance, are one hit on the edge between two triangles
+
+
+def triangulated(source):
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(source.GetOutputPort())
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def plane(center, size=1.5, normal=(0, 0, 1)):
+    """A square; `size` is half its edge."""
+    source = vtkPlaneSource()
+    source.SetOrigin(-size, -size, 0)
+    source.SetPoint1(size, -size, 0)
+    source.SetPoint2(-size, size, 0)
+    source.SetCenter(*center)
+    source.SetNormal(*normal)
+    return triangulated(source)
+
+
+def sphere(center, radius):
+    source = vtkSphereSource()
+    source.SetCenter(*center)
+    source.SetRadius(radius)
+    source.SetThetaResolution(14)
+    source.SetPhiResolution(10)
+    return triangulated(source)
 
 
 class Layer:
