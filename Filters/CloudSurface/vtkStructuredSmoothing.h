@@ -120,8 +120,8 @@ public:
 
   ///@{
   /**
-   * On: adds the masses as the point array Mass, double, 1 component (of points in one place at a seam only the first one's is
-   * not 0). Off by default. Unit: that of the volume, or of the given masses; 1 each if not Conservative.
+   * On: adds the masses as the point array Mass, double, 1 component. Points at a seam may coincide: then only the first one has a
+   * mass, and the others have 0. Off by default. Unit: that of the volume, or of the given masses; 1 each if not Conservative.
    */
   vtkSetMacro(GenerateMassArray, bool);
   vtkGetMacro(GenerateMassArray, bool);

@@ -27,7 +27,8 @@ class Part(NamedTuple):
 
 
 def filled(dataset: xarray.Dataset, grid: pyvista.DataSet, name: str, time: Any, options: dict[str, Any]) -> Part | None:
-    """What to draw in place of `grid`, the mesh of the dataset, if the field has no values at the first time or on some levels; None if it has values on all levels."""
+    """What to draw in place of `grid`, the mesh of the dataset. None if the field has values on all levels; otherwise the first time
+    at which it has any, or the levels on which it has some."""
     if not is_sparse(grid, name):
         return None
     with warnings.catch_warnings():
