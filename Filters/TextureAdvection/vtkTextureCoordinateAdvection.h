@@ -274,6 +274,7 @@ private:
   void AskForPoints(vtkInformation* input, vtkInformation* points, vtkInformation* output);
   void PlanReading();
   bool ChooseNext();
+  void ReportOtherInput(vtkDataObject* input);
   void Stop(vtkInformation* request);
 
   // Settings and a time step; in vtkTextureCoordinateAdvectionInput.cxx.

@@ -304,6 +304,14 @@ bool vtkTextureCoordinateAdvection::ChooseNext()
   return false;
 }
 
+void vtkTextureCoordinateAdvection::ReportOtherInput(vtkDataObject* input)
+{
+  const std::string remedy = nephoscope::remedyFor(input);
+  vtkErrorMacro("The input is " << (input ? input->GetClassName() : "missing")
+                                << "; one grid is needed."
+                                << (remedy.empty() ? " Merge or extract blocks first." : remedy));
+}
+
 int vtkTextureCoordinateAdvection::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -317,10 +325,7 @@ int vtkTextureCoordinateAdvection::RequestData(
   nephoscope::ReportOnce report(this, state.Failed);
   if (!data)
   {
-    const std::string remedy = nephoscope::remedyFor(input);
-    vtkErrorMacro("The input is " << (input ? input->GetClassName() : "missing")
-                                  << "; one grid is needed."
-                                  << (remedy.empty() ? " Merge or extract blocks first." : remedy));
+    this->ReportOtherInput(input);
     report.End(false);
     this->Stop(request);
     return 1;

@@ -170,29 +170,33 @@ void DensityTetrahedra::TakeBlock(const DensityBlock& block, bool onCells, Count
         Corners corners;
         std::transform(ids.begin(), ids.end(), corners.begin(), numberOf);
         const auto& p = this->Points;
-        const double volume =
-          sixVolumes(p[corners[0]], p[corners[1]], p[corners[2]], p[corners[3]]);
         const double density = block.OnCells
           ? densityAt(cell)
           : 0.25 * (p[corners[0]][3] + p[corners[1]][3] + p[corners[2]][3] + p[corners[3]][3]);
-        if (!(volume > 0) || !(density > 0))
-        {
-          return;
-        }
-        std::sort(corners.begin(), corners.end(), [&](std::int32_t a, std::int32_t b) {
-          return std::make_tuple(p[a][0], p[a][1], p[a][2]) <
-            std::make_tuple(p[b][0], p[b][1], p[b][2]);
-        });
-        this->Tetrahedra.push_back(corners);
-        counts.Volume += volume;
-        counts.Mass += volume * density;
-        if (onCells)
-        {
-          this->CellDensities.push_back(static_cast<float>(density));
-        }
+        this->Add(corners, density, onCells, counts);
       });
     counts.Solid += isSolid;
     counts.NotConvex += isSolid && !walker.GetSource().TetrahedraFillCell();
+  }
+}
+
+void DensityTetrahedra::Add(Corners corners, double density, bool onCells, Counts& counts)
+{
+  const auto& p = this->Points;
+  const double volume = sixVolumes(p[corners[0]], p[corners[1]], p[corners[2]], p[corners[3]]);
+  if (!(volume > 0) || !(density > 0))
+  {
+    return;
+  }
+  std::sort(corners.begin(), corners.end(), [&](std::int32_t a, std::int32_t b) {
+    return std::make_tuple(p[a][0], p[a][1], p[a][2]) < std::make_tuple(p[b][0], p[b][1], p[b][2]);
+  });
+  this->Tetrahedra.push_back(corners);
+  counts.Volume += volume;
+  counts.Mass += volume * density;
+  if (onCells)
+  {
+    this->CellDensities.push_back(static_cast<float>(density));
   }
 }
 

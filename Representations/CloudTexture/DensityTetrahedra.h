@@ -48,6 +48,7 @@ private:
 
   void FindCenter(const std::vector<DensityBlock>& blocks);
   void TakeBlock(const DensityBlock& block, bool onCells, Counts& counts);
+  void Add(Corners corners, double density, bool onCells, Counts& counts);
   std::string Judge(const Counts& counts);
 };
 

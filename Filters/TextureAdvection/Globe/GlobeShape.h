@@ -6,6 +6,8 @@
 
 #include "GlobeWinds.h"
 
+#include "vtkType.h"
+
 #include <string>
 
 class vtkDataArray;
@@ -32,6 +34,14 @@ struct GlobeInput
   vtkDataArray* Vertical = nullptr;
   vtkDataArray* VerticalRate = nullptr;
   double Sign = 1.0;
+};
+
+// East, north and up at a point, unit vectors.
+struct LocalFrame
+{
+  double East[3];
+  double North[3];
+  double Up[3];
 };
 
 class GlobeShape
@@ -62,6 +72,8 @@ private:
   bool RecognizeMap(vtkStructuredGrid* grid, std::string& problem);
   bool AdoptAxes(
     std::vector<double> longitudes, std::vector<double> latitudes, std::string& problem);
+  bool ReadWind(const GlobeInput& input, vtkIdType point, const LocalFrame& frame,
+    std::size_t place, GlobeWinds& winds) const;
   void FillColumn(
     GlobeWinds& winds, const std::vector<unsigned char>& known, int column, int row) const;
   void FillPoleRows(GlobeWinds& winds) const;

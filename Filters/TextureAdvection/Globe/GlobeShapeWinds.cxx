@@ -20,19 +20,43 @@ namespace
 // Globe Grid holds the cosine above this in its velocities along x.
 constexpr double SMALLEST_MAP_COSINE = 0.01;
 
-struct LocalFrame
-{
-  double East[3];
-  double North[3];
-  double Up[3];
-};
-
 LocalFrame FrameAt(double longitude, double sine, double cosine)
 {
   const double s = std::sin(longitude);
   const double c = std::cos(longitude);
   return { { -s, c, 0.0 }, { -sine * c, -sine * s, cosine }, { cosine * c, cosine * s, sine } };
 }
+}
+
+// False if the wind or its level is not finite.
+bool GlobeShape::ReadWind(const GlobeInput& input, vtkIdType point, const LocalFrame& frame,
+  std::size_t place, GlobeWinds& winds) const
+{
+  double position[3];
+  double direction[3];
+  double height;
+  double v[3];
+  input.Data->GetPoint(point, position);
+  this->PlaceOf(position, direction, height);
+  input.Velocity->GetTuple(point, v);
+  const double scale = 1.0 / (this->OnMap ? this->Radius_ : this->Radius_ + height);
+  const auto dot = [&](const double a[3]) { return v[0] * a[0] + v[1] * a[1] + v[2] * a[2]; };
+  const double east =
+    scale * (this->OnMap ? v[0] * std::max(frame.North[2], SMALLEST_MAP_COSINE) : dot(frame.East));
+  const double north = scale * (this->OnMap ? v[1] : dot(frame.North));
+  double rise = this->OnMap ? v[2] : dot(frame.Up);
+  double level = height;
+  if (input.Vertical)
+  {
+    winds.Heights[place] = static_cast<float>(height);
+    level = input.Sign * input.Vertical->GetComponent(point, 0);
+    rise = input.Sign * input.VerticalRate->GetComponent(point, 0);
+  }
+  winds.Levels[place] = static_cast<float>(level);
+  winds.Vectors[place] = { static_cast<float>(east * frame.East[0] + north * frame.North[0]),
+    static_cast<float>(east * frame.East[1] + north * frame.North[1]),
+    static_cast<float>(north * frame.North[2]), static_cast<float>(rise) };
+  return std::isfinite(east + north + rise + level);
 }
 
 GlobeWinds GlobeShape::MakeWinds(const GlobeInput& input, std::int64_t& missing) const
@@ -62,36 +86,12 @@ GlobeWinds GlobeShape::MakeWinds(const GlobeInput& input, std::int64_t& missing)
       {
         const vtkIdType point = this->IndexOfData(i, j, k);
         const auto place = static_cast<std::size_t>(this->Index(i, row, k));
-        const LocalFrame frame = FrameAt(this->Columns_.Longitude(i), sine, cosine);
-        double position[3];
-        double direction[3];
-        double height;
-        double v[3];
-        input.Data->GetPoint(point, position);
-        this->PlaceOf(position, direction, height);
-        input.Velocity->GetTuple(point, v);
-        const double scale = 1.0 / (this->OnMap ? this->Radius_ : this->Radius_ + height);
-        const auto dot = [&](const double a[3]) { return v[0] * a[0] + v[1] * a[1] + v[2] * a[2]; };
-        const double east =
-          scale * (this->OnMap ? v[0] * std::max(cosine, SMALLEST_MAP_COSINE) : dot(frame.East));
-        const double north = scale * (this->OnMap ? v[1] : dot(frame.North));
-        double rise = this->OnMap ? v[2] : dot(frame.Up);
-        double level = height;
-        if (input.Vertical)
-        {
-          winds.Heights[place] = static_cast<float>(height);
-          level = input.Sign * input.Vertical->GetComponent(point, 0);
-          rise = input.Sign * input.VerticalRate->GetComponent(point, 0);
-        }
+        const bool finite = this->ReadWind(
+          input, point, FrameAt(this->Columns_.Longitude(i), sine, cosine), place, winds);
         const bool hidden =
           ghosts && (ghosts->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-        const bool finite = std::isfinite(east + north + rise + level);
         known[place] = !hidden && finite;
         found += hidden || finite ? 0 : 1;
-        winds.Levels[place] = static_cast<float>(level);
-        winds.Vectors[place] = { static_cast<float>(east * frame.East[0] + north * frame.North[0]),
-          static_cast<float>(east * frame.East[1] + north * frame.North[1]),
-          static_cast<float>(north * frame.North[2]), static_cast<float>(rise) };
       }
     }
     unknown += found;

@@ -199,13 +199,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
                                                      "density_volume": density_volume})
     if coverage is None:
         coverage = 0.1 if use_thickness and thickness_effect == "threshold" else 0.5
-    if isinstance(coverage, str):
-        mapper.SetCoverageArrayName(_point_array(surface, coverage, "coverage"))
-    else:
-        mapper.SetCoverage(require_number(coverage, "coverage", least=0, most=1))
-    if threshold is not None:
-        mapper.UseThresholdOn()
-        mapper.SetThreshold(require_number(threshold, "threshold"))
+    _set_cover(mapper, surface, coverage, threshold)
     mapper.SetTextureScale(require_number(texture_scale, "texture_scale", least=0, most=1e6))
     mapper.SetTextureLength(require_number(texture_length, "texture_length", least=0))
     in_grey = scalars is None and color is None and _needs_grey(plotter)
@@ -226,12 +220,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
            thickness_effect or "opacity", "thickness_effect")
     mapper.SetThicknessWeight(require_number(thickness_weight, "thickness_weight", least=0))
     mapper.SetExtinction(require_number(extinction, "extinction", least=0))
-    if density_volume is not None:
-        volume, name = _density_volume(density_volume, density)
-        mapper.SetDensityVolume(volume)
-        mapper.SetDensityArrayName(name)
-    elif density is not None:
-        mapper.SetDensityArrayName(_point_array(surface, density, "density"))
+    _set_density(mapper, surface, density, density_volume)
     mapper.SetMaximumNumberOfLayers(int(require_number(layers, "layers", least=2, most=16)))
     if isinstance(coordinates, str) or len(coordinates) != 2:
         raise ValueError(f"coordinates is {coordinates!r}; it must be the names of two point arrays.")
@@ -251,15 +240,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         surface, scalars = _light(plotter, surface, scalars, sun, exposure, tone_mapping, options)
     render = options.pop("render", True)
     actor = add_mesh(plotter, surface, scalars if isinstance(scalars, str) else "Data", scalars=scalars, render=False, **options)  # its mapper is not yet ours
-    drawn = actor.mapper
-    mapper.ShallowCopy(drawn)  # colours, as add_mesh has set them
-    mapper.SelectColorArray(drawn.GetArrayName())  # which ShallowCopy leaves out
-    mapper.SetInputConnection(drawn.GetInputConnection(0, 0))
-    actor.SetMapper(mapper)
-    for mappers in plotter.scalar_bars._scalar_bar_mappers.values():  # a bar belongs to the actor of its mapper
-        mappers[:] = [mapper if one is drawn else one for one in mappers]
-    if plotter.mapper is drawn:
-        plotter.mapper = mapper
+    _replace_mapper(plotter, actor, mapper)
     warn_when_exported(plotter)
     if peels > 0:
         plotter.enable_depth_peeling(peels)
@@ -290,6 +271,38 @@ def _say_component(surface: pyvista.PolyData, scalars: str | np.ndarray, options
     if np.ndim(values) == 2:
         require_component(values, name, options.get("component"), "For the colours themselves pass rgb=True.")
         options["scalar_bar_args"] = {"title": title_of(name, values, options.get("component")), **(options.get("scalar_bar_args") or {})}
+
+
+def _set_cover(mapper: CloudTextureMapper, surface: pyvista.PolyData, coverage: float | str, threshold: float | None) -> None:
+    if isinstance(coverage, str):
+        mapper.SetCoverageArrayName(_point_array(surface, coverage, "coverage"))
+    else:
+        mapper.SetCoverage(require_number(coverage, "coverage", least=0, most=1))
+    if threshold is not None:
+        mapper.UseThresholdOn()
+        mapper.SetThreshold(require_number(threshold, "threshold"))
+
+
+def _set_density(mapper: CloudTextureMapper, surface: pyvista.PolyData, density: str | None, density_volume: Any) -> None:
+    if density_volume is not None:
+        volume, name = _density_volume(density_volume, density)
+        mapper.SetDensityVolume(volume)
+        mapper.SetDensityArrayName(name)
+    elif density is not None:
+        mapper.SetDensityArrayName(_point_array(surface, density, "density"))
+
+
+def _replace_mapper(plotter: pyvista.BasePlotter, actor: pyvista.Actor, mapper: CloudTextureMapper) -> None:
+    """Lets the actor draw by `mapper`, with the colours that `add_mesh` has set."""
+    drawn = actor.mapper
+    mapper.ShallowCopy(drawn)
+    mapper.SelectColorArray(drawn.GetArrayName())  # which ShallowCopy leaves out
+    mapper.SetInputConnection(drawn.GetInputConnection(0, 0))
+    actor.SetMapper(mapper)
+    for mappers in plotter.scalar_bars._scalar_bar_mappers.values():  # a bar belongs to the actor of its mapper
+        mappers[:] = [mapper if one is drawn else one for one in mappers]
+    if plotter.mapper is drawn:
+        plotter.mapper = mapper
 
 
 def _needs_thickness(use_thickness: bool | None, settings: dict[str, Any]) -> bool:

@@ -161,6 +161,62 @@ double MeanSpacing(const double bounds[6], std::size_t count)
   return axes > 0 ? std::pow(volume / static_cast<double>(count), 1.0 / axes) : 1.0;
 }
 
+namespace
+{
+void findCenter(vtkDataSet* data, const SplatSampling& sampling, double center[3])
+{
+  double bounds[6];
+  FindPlaceBounds(data, bounds);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    center[axis] = sampling.Frame.Origin ? (*sampling.Frame.Origin)[static_cast<std::size_t>(axis)]
+                                         : 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+  }
+}
+
+void takePlaces(const std::vector<Vector3>& places, SplatSamples& samples)
+{
+  samples.Positions.resize(places.size());
+  forAll(places.size(), [&](std::size_t i) {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      samples.Positions[i][c] = static_cast<float>(places[i][c] - samples.Center[c]);
+    }
+  });
+}
+
+// Jacobians, one if all are the same, and the shares, none if all are whole.
+void takeShapes(const SplatShapes& shapes, SplatSamples& samples)
+{
+  samples.Jacobians.resize(shapes.HaveOneShape() ? 1 : samples.Ids.size());
+  forAll(samples.Jacobians.size(),
+    [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
+  samples.Shares.resize(samples.Ids.size());
+  forAll(samples.Ids.size(),
+    [&](std::size_t i) { samples.Shares[i] = static_cast<float>(shapes.Share(samples.Ids[i])); });
+  const auto whole = [](float share) { return share == 1.0f; };
+  if (std::all_of(samples.Shares.begin(), samples.Shares.end(), whole))
+  {
+    samples.Shares.clear();
+  }
+}
+
+double longestEdge(const SplatSamples& samples)
+{
+  double longest = 0.0;
+  for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)
+  {
+    SplatMatrix matrix;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      matrix[c] = { { jacobian[c][0], jacobian[c][1], jacobian[c][2] } };
+    }
+    longest = std::max(longest, LargestStretch(matrix));
+  }
+  return longest;
+}
+}
+
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error)
 {
   SplatSamples samples;
@@ -187,46 +243,14 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
     error = "The input has no visible points to draw.";
     return samples;
   }
-  double bounds[6];
-  FindPlaceBounds(data, bounds);
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    samples.Center[axis] = sampling.Frame.Origin
-      ? (*sampling.Frame.Origin)[static_cast<std::size_t>(axis)]
-      : 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
-  }
+  findCenter(data, sampling, samples.Center);
   samples.AreVoxels = shapes.AreVoxels();
   samples.Voxel = shapes.GetVoxel();
   samples.FirstVoxel =
     shapes.GetFirstVoxel() - Vector3{ samples.Center[0], samples.Center[1], samples.Center[2] };
-  samples.Positions.resize(places.size());
-  forAll(places.size(), [&](std::size_t i) {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      samples.Positions[i][c] = static_cast<float>(places[i][c] - samples.Center[c]);
-    }
-  });
-  samples.Jacobians.resize(shapes.HaveOneShape() ? 1 : places.size());
-  forAll(samples.Jacobians.size(),
-    [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
-  samples.Shares.resize(places.size());
-  forAll(places.size(),
-    [&](std::size_t i) { samples.Shares[i] = static_cast<float>(shapes.Share(samples.Ids[i])); });
-  const auto whole = [](float share) { return share == 1.0f; };
-  if (std::all_of(samples.Shares.begin(), samples.Shares.end(), whole))
-  {
-    samples.Shares.clear();
-  }
-  samples.LongestEdge = sampling.Frame.LongestEdge;
-  for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)
-  {
-    SplatMatrix matrix;
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      matrix[c] = { { jacobian[c][0], jacobian[c][1], jacobian[c][2] } };
-    }
-    samples.LongestEdge = std::max(samples.LongestEdge, LargestStretch(matrix));
-  }
+  takePlaces(places, samples);
+  takeShapes(shapes, samples);
+  samples.LongestEdge = std::max(sampling.Frame.LongestEdge, longestEdge(samples));
   error = checkWidth(samples.LongestEdge);
   return samples;
 }
