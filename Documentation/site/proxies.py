@@ -33,7 +33,7 @@ def representations():
 
 def definitions():
     """The XML of the plugin, as files."""
-    shared = [filled(f"{name}.xml.in", {"shared_properties": (PLUGIN / f"{name}Properties.xml.in").read_text(encoding="utf-8")}) for name in ("FlowVolume", "Smoothing")]
+    shared = [filled(f"{name}.xml.in", {"shared_properties": (PLUGIN / f"{name}Properties.xml.in").read_text(encoding="utf-8")}) for name in ("FlowVolume", "Globe", "Smoothing")]
     return [*sorted(PLUGIN.glob("*.xml")), *map(io.StringIO, shared), io.StringIO(representations())]
 
 

@@ -89,7 +89,7 @@ class Reference(unittest.TestCase):
         build = pathlib.Path(os.environ["NEPHOSCOPE_TEST_LIBRARIES"]).parent / "Plugins/ParaView"
         if not (build / "Representations.xml").is_file():
             self.skipTest("a build without ParaView")
-        known = proxies.make_help.proxies([*sorted(proxies.PLUGIN.glob("*.xml")), build / "FlowVolume.xml", build / "Smoothing.xml", build / "Representations.xml"])
+        known = proxies.make_help.proxies([*sorted(proxies.PLUGIN.glob("*.xml")), *(build / f"{name}.xml" for name in ("FlowVolume", "Globe", "Smoothing", "Representations"))])
         made = proxies.make_help.proxies(proxies.definitions())
         self.assertEqual(list(made), list(known))
         for name, proxy in made.items():

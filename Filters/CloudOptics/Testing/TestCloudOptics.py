@@ -84,6 +84,12 @@ class CloudOptics(unittest.TestCase):
         _, messages = optics_of(column(qc=1e-4), WaterUnits=3)
         self.assertEqual(messages.all, [])
 
+    def test_units_by_name(self):
+        optics = vtkCloudOptics()
+        for value, name in enumerate(("Automatic", "MixingRatio", "MixingRatioGrams", "Content", "ContentGrams")):
+            getattr(optics, "SetWaterUnitsTo" + name)()
+            self.assertEqual(optics.GetWaterUnits(), value, name)
+
     def test_units_are_the_same_water(self):
         ratio = values(optics_of(column(qc=[0, 3e-4, 0], t=280, p=85000))[0])
         for water, options in ((0.3, {"WaterUnits": 2}), (3e-4 * 1.057553, {"WaterUnits": 3}), (0.3 * 1.057553, {"WaterUnits": 4})):

@@ -139,6 +139,8 @@ class RoundTrip(VdbTestCase):
         self.assertEqual([self.reader.GetGridName(i) for i in range(self.reader.GetNumberOfGrids())], ["density", "velocity"])
         self.assertEqual([self.reader.GetGridType(i) for i in range(2)], ["float", "vec3s"])
         self.assertEqual(self.reader.GetGridClass(0), "fog volume")
+        self.assertEqual(self.reader.GetGridRefusal(0), "")
+        self.assertEqual(self.reader.GetGridNumberOfActiveVoxels(0), (vf.values_of(data, "cloud") != 0).sum())
         extent, spacing = [0] * 6, [0.0] * 3
         self.reader.GetGridExtent(0, extent)
         self.reader.GetGridSpacing(0, spacing)

@@ -23,8 +23,8 @@ PARAVIEW = TOP / "Plugins/ParaView"
 
 # Class, the definitions of its proxies, and the modules of Python that set it. A new property of a class needs no line here.
 CLASSES = {
-    "vtkGlobeGrid": (["Filters.xml"], ["globe"]),
-    "vtkGlobeTerrain": (["GlobeTerrain.xml"], ["terrain"]),
+    "vtkGlobeGrid": (["Globe.xml.in", "GlobeProperties.xml.in"], ["globe"]),
+    "vtkGlobeTerrain": (["Globe.xml.in", "GlobeProperties.xml.in"], ["terrain"]),
     "vtkStructuredSmoothing": (["Smoothing.xml.in", "SmoothingProperties.xml.in"], ["clouds"]),
     "vtkCloudSurface": (["Smoothing.xml.in", "SmoothingProperties.xml.in"], ["clouds"]),
     "vtkContourCellSplitter": (["Filters.xml"], ["splitting"]),

@@ -60,6 +60,9 @@ class Thresholds(TextureTestCase):
         """The cover that a threshold has, the threshold that a cover has, and what is drawn: by the closed form."""
         window, mapper, _ = self.scene(sheet(((0, 0, 0), (1, 1, 1)), ONE_SET), (500, 16))
         one_wave(mapper, 5, 0, 0)  # 5 waves: 500 pixels are whole ones, and the picture is periodic
+        wave = [-1.0] * 9
+        mapper.GetCustomWave(0, wave)
+        self.assertEqual(wave, [3, 5, 0, 0, 0, 0, 0, 0, 0])
         mapper.SetSoftness(0)
         for threshold in (-1.3, -0.6, 0, 0.4, 1.1):
             mapper.UseThresholdOn()
