@@ -101,16 +101,9 @@ class Surfaces(ImageTestCase):
         data = block((4, 4, 4))
         rng = np.random.default_rng(3)
         meshes.add_array(data.GetPointData(), rng.normal(size=(data.GetNumberOfPoints(), 3)), "v")
-
-        def vectors(style, placement):
-            def set_vectors(mapper):
-                mapper.SetVectorArrayName("v")
-                mapper.SetVectorStyle(style)
-                mapper.SetVectorPlacement(placement)
-            return set_vectors
         cases = {"splats": None, "quadratic": lambda m: m.SetKernelToQuadratic(), "gaussian": lambda m: m.SetKernelToGaussian(),
-                 "hierarchy": lambda m: m.SetErrorTolerance(0.5), "streaks": vectors(0, 0), "segments": vectors(1, 0),
-                 "streaks in layers": vectors(0, 1), "segments in layers": vectors(1, 1)}
+                 "hierarchy": lambda m: m.SetErrorTolerance(0.5), "streaks": splats.with_vectors(0, 0), "segments": splats.with_vectors(1, 0),
+                 "streaks in layers": splats.with_vectors(0, 1), "segments in layers": splats.with_vectors(1, 1)}
         look = lambda s: s.look((3, 2, 9), (0.7, 0.8, 0.9), near=1, far=20)
         for label, configure in cases.items():
             plain = Picture(data, [], look=look, peels=False, configure=configure)

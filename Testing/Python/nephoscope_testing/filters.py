@@ -13,3 +13,13 @@ def configured(made, source, settings):
         set_value = getattr(made, "Set" + name)
         set_value(*value) if isinstance(value, (tuple, list)) else set_value(value)
     return made
+
+
+def some_values_given(made):
+    """The contour values of a filter after some of them have been set."""
+    for i in range(4):
+        made.SetValue(i, 5.0)
+    made.SetNumberOfContours(1)
+    made.SetNumberOfContours(3)
+    made.SetValue(5, 2.0)
+    return [made.GetValue(i) for i in range(made.GetNumberOfContours())]

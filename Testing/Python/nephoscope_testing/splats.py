@@ -8,6 +8,15 @@ import numpy as np
 INNER, OUTER = 0.889392, 1.556228
 
 
+def with_vectors(style, placement, array="v"):
+    """Sets the vectors of a mapper."""
+    def set_vectors(mapper):
+        mapper.SetVectorArrayName(array)
+        mapper.SetVectorStyle(style)
+        mapper.SetVectorPlacement(placement)
+    return set_vectors
+
+
 def cubic(r):
     """The reconstruction kernel of Crawfis and Max (1993), table 1; r in cells."""
     near = 0.557526 + r * r * (0.671033 * r - 1.157743)
