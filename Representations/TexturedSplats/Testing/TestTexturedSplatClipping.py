@@ -133,7 +133,8 @@ class Clipping(ImageTestCase):
         look = lambda s: s.look(EYE, (0, 0, 0), angle=35)
         wall = meshes.surface(np.array([(-3, -3, -0.2), (3, -3, -0.2), (3, 3, 0.2), (-3, 3, 0.2)], float), [(0, 1, 2), (0, 2, 3)])
         for label, configure, behind in (("splats", None, None), ("wall", None, wall), ("hierarchy", lambda m: m.SetErrorTolerance(0.4), None),
-                                         ("streaks", splats.with_vectors(0, 0), None), ("segments", splats.with_vectors(1, 0), wall), ("layers", splats.with_vectors(0, 1), None)):
+                                         ("streaks", splats.with_vectors(0, 0), None), ("segments", splats.with_vectors(1, 0), wall),
+                                         ("layers", splats.with_vectors(0, 1), None)):
             beyond = [((0, 0, -50), (0, 0, 1))]  # cuts nothing, but makes the share before the wall exact
             planes = [beyond if behind else [], [((0.1, 0, 0), (1, 0.3, 0.7))], [((0.1, 0, 0), (-1, -0.3, -0.7))]]
             light = [1 - self.draw(data, p, look, configure=configure, wall=behind)[1][..., 3:] for p in planes]
