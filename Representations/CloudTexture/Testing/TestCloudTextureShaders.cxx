@@ -4,6 +4,7 @@
 #include "ShaderRunner.h"
 
 #include "GardnerShaderConstants.h"
+#include "GardnerTexture.h"
 
 #include "TestRandom.h"
 
