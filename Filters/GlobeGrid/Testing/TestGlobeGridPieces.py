@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Pieces add up to the whole, threads change nothing, time passes through, blocks are taken one by one."""
+import hashlib  # noqa: F401  (the processes of other threads)
 import os
 import unittest
 
