@@ -7,7 +7,6 @@ Memory must not grow, no half frame may be taken for whole, and what was interru
 import argparse
 import _thread
 import gc
-import os
 import random
 import signal
 import statistics

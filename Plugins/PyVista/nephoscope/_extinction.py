@@ -7,7 +7,6 @@ import warnings
 from typing import Any
 
 import numpy as np
-import pyvista
 
 from ._pipeline import level_of_caller
 
