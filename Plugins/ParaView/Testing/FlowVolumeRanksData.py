@@ -171,6 +171,35 @@ def last_alone(middles, pieces):
     return np.full(len(middles), pieces - 1)
 
 
+TIMES = (0.0, 0.4, 0.8, 1.2)
+
+
+def turning(time):
+    """abc, whose vectors turn about z with time."""
+    c, s = np.cos(time), np.sin(time)
+    return lambda p: abc(p) @ np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def changing(source):
+    """The same source as a series of time steps, in each of which the flow is another."""
+    class Series(type(source)):
+        def RequestInformation(self, request, inputs, outputs):
+            info = outputs.GetInformationObject(0)
+            info.Set(SDDP.TIME_STEPS(), TIMES, len(TIMES))
+            info.Set(SDDP.TIME_RANGE(), (TIMES[0], TIMES[-1]), 2)
+            return super().RequestInformation(request, inputs, outputs)
+
+        def RequestData(self, request, inputs, outputs):
+            info = outputs.GetInformationObject(0)
+            time = info.Get(SDDP.UPDATE_TIME_STEP()) if info.Has(SDDP.UPDATE_TIME_STEP()) else TIMES[0]
+            self.flow = turning(time)
+            done = super().RequestData(request, inputs, outputs)
+            vtkDataObject.GetData(outputs, 0).GetInformation().Set(vtkDataObject.DATA_TIME_STEP(), time)
+            return done
+    source.__class__ = Series
+    return source
+
+
 class Blocks(VTKPythonAlgorithmBase):
     """Eight images, dealt to the ranks in turn; those of `missing`
     have no velocity, the upper four have an array that the others are without."""

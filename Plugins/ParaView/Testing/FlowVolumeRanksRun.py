@@ -28,10 +28,13 @@ def volume(source, **settings):
     return made
 
 
-def run(name, made):
-    """Updates this rank's piece and keeps the tetrahedra in their order."""
+def run(name, made, time=None):
+    """Updates this rank's piece, at a time of a series, and keeps the tetrahedra in their order."""
     print(f"rank {RANK}: {name}", flush=True)
-    made.UpdatePiece(RANK, RANKS, 0)
+    if time is None:
+        made.UpdatePiece(RANK, RANKS, 0)
+    else:
+        made.UpdateTimeStep(time, RANK, RANKS, 0)
     keep(name, made.GetOutput())
 
 
@@ -90,6 +93,14 @@ square.SetPoint2(-0.2, 0.2, 0.01)
 polygon = volume(image, Duration=0.6)
 polygon.SetPolygonConnection(square.GetOutputPort())
 run("polygon", polygon)
+unsteady = volume(data.changing(data.Structured("vtkImageData", data.abc)), Duration=0.0, Unsteady=True)
+run("unsteady", unsteady, 0.5)
+run("unsteady-later", unsteady, 1.2)  # goes on; much of the smoke has left the data
+settings = dict(Center=(0.1, 0.05, -0.02), Unsteady=True, StartTime=0.1, Duration=0.4, MaximumEdgeLength=0.1)
+run("unsteady-curved", volume(data.changing(data.Structured("vtkStructuredGrid", data.abc)), **settings), 0.7)
+run("unsteady-adaptive", volume(data.changing(data.Unstructured(data.abc, data.chessboard)), Integrator=1, Tolerance=1e-5, **settings), 0.7)
+run("unsteady-ghosts", volume(data.changing(data.Unstructured(data.abc, data.slabs, ghosts=True)), **settings), 0.7)
+run("unsteady-blocks", volume(data.changing(data.Blocks(data.abc)), **settings), 0.7)
 earth = globe()
 run("globe", volume(earth, Center=at(-100.0, 14.0, 50 * 3000.0), Radius=3e5, Duration=4e4, TimeStep=4e3, MaximumTurnAngle=90.0, MaximumEdgeLength=2e6))
 run("globe-seam", volume(earth, Center=at(0.0, 45.0, 50 * 9000.0), Radius=4e5, Duration=4e4, TimeStep=4e3, MaximumTurnAngle=90.0, MaximumEdgeLength=2e6))

@@ -74,9 +74,9 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         Longer edges of a layer are split, > 0. Default: three times the longest edge of the polygon's triangles, or the distance that the flow
         covers in a time step if that is longer; longer still if `max_tetrahedra` requires it.
     min_edge_length : float, default: 0.0
-        Shorter edges of a layer are collapsed. 0: never.
+        Shorter edges of a layer are collapsed. 0: never. Not used with `times`.
     max_turn_angle : float, default: 15.0
-        A time step is halved if a path turns by more than this angle, in degrees. 0: never.
+        A time step is halved if a path turns by more than this angle, in degrees. 0: never. Not used with `times`.
     integrator : {"rk4", "rk45"}, default: "rk4"
         Runge-Kutta of fourth order with fixed steps, or Runge-Kutta 4-5 with adaptive steps.
     tolerance : float, default: 1e-6
