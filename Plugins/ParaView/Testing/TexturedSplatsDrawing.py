@@ -16,11 +16,12 @@ def begin():
     load_plugin()
 
 
-def draw(name, source, array=("POINTS", "RTData"), distance=1, place=None, **settings):
-    """Unless others alone are wanted, saves the picture of a source, with these properties of Textured Splats and of the display."""
+def draw(name, source, array=("POINTS", "RTData"), distance=1, place=None, time=0.0, **settings):
+    """Unless others alone are wanted, saves the picture of a source at a time, with these properties of Textured Splats and of the display."""
     if not wanted(name):
         return
     view = empty_view()
+    view.ViewTime = time
     display = compose(source, view, array, "Textured Splats")
     for key, value in (place or {}).items():
         setattr(display, key, value)
