@@ -174,7 +174,7 @@ public:
   ///@}
 
   ///@{
-  /** Shorter edges of a layer, where streamlines converge, are collapsed; 0 (default): never. Keep it below a third of MaximumEdgeLength. */
+  /** Shorter edges of a layer, where streamlines converge, are collapsed; 0 (default): never. Keep it below a third of MaximumEdgeLength. Not used for unsteady smoke. */
   vtkSetMacro(MinimumEdgeLength, double);
   vtkGetMacro(MinimumEdgeLength, double);
   ///@}
@@ -182,7 +182,7 @@ public:
   ///@{
   /**
    * A time step is halved if the path of a vertex turns by more than this angle, in degrees; 0: never. Default 15, which gives an
-   * error of about 1 % (1 - sin a / a) in the volume of a prism.
+   * error of about 1 % (1 - sin a / a) in the volume of a prism. Not used for unsteady smoke.
    */
   vtkSetClampMacro(MaximumTurnAngle, double, 0.0, 180.0);
   vtkGetMacro(MaximumTurnAngle, double);

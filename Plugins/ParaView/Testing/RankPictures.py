@@ -15,10 +15,10 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 OUTPUT = os.environ["NEPHOSCOPE_TEST_OUTPUT"]
 
 
-def run(command, script, name, names):
+def run(command, script, name, names, arguments=(), limit=300):
     """Runs a script of this folder, which saves pictures under the prefix that it is given, and returns those of the names."""
     prefix = prefix_of(script, name)
-    return pictures(prefix, output_of(command + [os.path.join(HERE, script), prefix], limit=300), names)
+    return pictures(prefix, output_of(command + [os.path.join(HERE, script), prefix, *arguments], limit), names)
 
 
 def prefix_of(script, name):

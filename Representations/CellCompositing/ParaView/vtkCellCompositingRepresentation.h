@@ -115,6 +115,7 @@ private:
 
   void WarnOfNoVolume(bool hasNoVolume);
   void MakeListOfCells(bool areEven);
+  bool HasSeveralGrids() const;
   void EndRaysAt(const std::array<double, 6>& region);
   int ChooseInterpolation(vtkDataSet* cells) const;
   bool NeedsGradients() const;
@@ -132,6 +133,7 @@ private:
 
   bool HadNoVolume = false; // the input, and a warning has said so
   bool AxisAligned = false;
+  bool KeepsPiece = false;              // on its rank, in the view's last update
   std::array<double, 6> Region;         // of space, in which this rank draws
   vtkSmartPointer<vtkDataSet> Complete; // what is drawn of a delivered piece
   vtkDataSet* Delivered = nullptr;      // only compared

@@ -3,6 +3,7 @@
 // How several ranks draw one picture: each the part of every ray that is in its region, through whole cells.
 #include "vtkCellCompositingRepresentation.h"
 
+#include "CellMeasures.h"
 #include "DataBlocks.h"
 #include "RankContours.h"
 #include "RankDivisions.h"
@@ -10,17 +11,22 @@
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
 
+#include "vtkBoundingBox.h"
+#include "vtkCompositeRepresentation.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkPVRenderView.h"
 #include "vtkPlane.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkView.h"
 
 #include <cmath>
+#include <vector>
 
 namespace
 {
@@ -32,6 +38,68 @@ bool endsRays(int method)
     method != vtkCellCompositingMapper::TRIANGLES_TABLE_METHOD &&
     method != vtkCellCompositingMapper::FACES_METHOD;
 }
+
+void addCellsTo(vtkBoundingBox& box, vtkDataSet* piece)
+{
+  if (piece && piece->GetNumberOfCells() > 0)
+  {
+    const nephoscope::MediumBounds bounds = nephoscope::boundsOfCells(piece);
+    box.AddBounds(bounds.data());
+  }
+}
+
+// By more than rounding: neighbours share a face.
+bool overlap(vtkBoundingBox a, const vtkBoundingBox& b)
+{
+  const double rounding = 1e-6 * a.GetMaxLength();
+  return a.IsValid() && b.IsValid() && a.IntersectBox(b) && a.GetLength(0) > rounding &&
+    a.GetLength(1) > rounding && a.GetLength(2) > rounding;
+}
+
+// All ranks call it, each with a box of its own.
+bool doAnyOverlap(const vtkBoundingBox& box)
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  double mine[6];
+  box.GetBounds(mine);
+  std::vector<double> all(6 * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  controller->AllGather(mine, all.data(), 6);
+  for (std::size_t i = 0; i < all.size(); i += 6)
+  {
+    for (std::size_t j = 0; j < i; j += 6)
+    {
+      if (overlap(vtkBoundingBox(&all[i]), vtkBoundingBox(&all[j])))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+}
+
+// Ranks are ordered by the boxes about all grids that stay on them. There is no order where the pieces of several grids make these overlap.
+bool vtkCellCompositingRepresentation::HasSeveralGrids() const
+{
+  vtkBoundingBox box;
+  addCellsTo(box, this->Piece);
+  bool others = false;
+  vtkView* view = this->GetView();
+  for (int i = 0; view && i < view->GetNumberOfRepresentations(); ++i)
+  {
+    vtkDataRepresentation* shown = view->GetRepresentation(i);
+    if (auto* choice = vtkCompositeRepresentation::SafeDownCast(shown))
+    {
+      shown = choice->GetActiveRepresentation();
+    }
+    auto* other = vtkCellCompositingRepresentation::SafeDownCast(shown);
+    if (other && other != this && other->GetVisibility() && other->KeepsPiece)
+    {
+      addCellsTo(box, other->Piece);
+      others = true;
+    }
+  }
+  return others && doAnyOverlap(box);
 }
 
 void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
@@ -84,6 +152,14 @@ void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
 
 void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
 {
+  if (this->AxisAligned && GetNumberOfRanks() > 1 && this->HasSeveralGrids())
+  {
+    const bool isEven =
+      this->Piece->GetNumberOfCells() == 0 || vtkImageData::SafeDownCast(this->Piece);
+    this->AxisAligned = false;
+    this->MakeListOfCells(LeastOverRanks(isEven ? 1 : 0) == 1);
+  }
+  this->KeepsPiece = this->AxisAligned;
   this->Superclass::DescribePiece(inInfo);
   if (this->AxisAligned)
   {
