@@ -22,8 +22,10 @@ struct SplatSamples;
 struct SplatClasses
 {
   std::vector<std::int32_t> Samples;        ///< numbers of the samples, ascending
-  std::vector<std::array<float, 4>> Colors; ///< one for each of them
+  std::vector<std::array<float, 4>> Colors; ///< one for each of them; none after FreeColors
   std::size_t NumberWithoutValue = 0;       ///< of the samples left out: a value is not finite
+
+  void FreeColors() { std::vector<std::array<float, 4>>().swap(this->Colors); }
 };
 
 /**

@@ -3,6 +3,7 @@
 #include "SplatLayers.h"
 
 #include "GridSamples.h"
+#include "OwnThreads.h"
 #include "SplatClasses.h"
 #include "SplatSamples.h"
 
@@ -41,14 +42,13 @@ double lengthOf(const Vector3& d, const SplatMetric& metric)
 int facingAxis(const SplatSamples& samples, const SplatEye& eye, const SplatMetric& metric)
 {
   double facing[3] = { 0, 0, 0 };
-  const std::size_t stride = std::max<std::size_t>(1, samples.Size() / 10000);
-  for (std::size_t i = 0; i < samples.Size(); i += stride)
+  for (std::size_t i = 0; i < samples.Size(); i += samples.StrideOfSome())
   {
     const Vector3 d = towardsEye(samples.Positions[i], eye);
     const Vector3 covector = Times(metric, d);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const Vector3 edge = ToDouble(samples.JacobianOf(i)[axis]);
+      const Vector3 edge = ToDouble(samples.SomeJacobianOf(i)[axis]);
       const double length = lengthOf(edge, metric) * lengthOf(d, metric);
       facing[axis] += length > 0 ? std::abs(dot(edge, covector)) / length : 0;
     }
@@ -71,17 +71,18 @@ void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& sampl
   const int along = axis >= 0 ? axis : facingAxis(samples, eye, metric);
   const double thickness = std::max(Thickness(samples, metric), 1e-30);
   this->Layers.resize(samples.Size());
-  for (std::size_t i = 0; i < this->Layers.size(); ++i)
-  {
+  forAll(this->Layers.size(), [&](std::size_t i) {
     const Vector3 d = towardsEye(samples.Positions[i], eye);
     const Vector3 covector = Times(metric, d);
     if (grid.IsGrid())
     {
       const auto index = static_cast<std::uint32_t>(grid.Index(samples.Ids[i], along));
-      const auto& edge = samples.JacobianOf(i)[static_cast<std::size_t>(along)];
-      const bool towards = dot(ToDouble(edge), covector) >= 0;
+      const Vector3 edge = samples.Jacobians.empty()
+        ? grid.Direction(samples.Ids[i], along)
+        : ToDouble(samples.JacobianOf(i)[static_cast<std::size_t>(along)]);
+      const bool towards = dot(edge, covector) >= 0;
       this->Layers[i] = towards ? middle + index : middle - 1 - index;
-      continue;
+      return;
     }
     const double distance = lengthOf(d, metric);
     const double nearness =
@@ -89,18 +90,17 @@ void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& sampl
     const double layer = std::floor(nearness / thickness);
     this->Layers[i] =
       static_cast<std::uint32_t>(std::clamp(layer, -2.0e9, 2.0e9) + static_cast<double>(middle));
-  }
+  });
 }
 
 int SplatLayers::FlatAxis(
   const SplatSamples& samples, const SplatEye& eye, const SplatMetric& metric)
 {
   double lengths[3] = { 0, 0, 0 }, crossed[3] = { 0, 0, 0 }; // on the way of one length
-  const std::size_t stride = std::max<std::size_t>(1, samples.Size() / 10000);
-  for (std::size_t i = 0; i < samples.Size(); i += stride)
+  for (std::size_t i = 0; i < samples.Size(); i += samples.StrideOfSome())
   {
     const Vector3 d = towardsEye(samples.Positions[i], eye);
-    const auto& jacobian = samples.JacobianOf(i);
+    const auto& jacobian = samples.SomeJacobianOf(i);
     const Vector3 edges[3] = { ToDouble(jacobian[0]), ToDouble(jacobian[1]),
       ToDouble(jacobian[2]) };
     const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) * lengthOf(d, metric);

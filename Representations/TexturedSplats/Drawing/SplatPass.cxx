@@ -161,11 +161,11 @@ std::vector<Float4> packSplats(
 SplatPass::SplatPass() = default;
 SplatPass::~SplatPass() = default;
 
-std::string SplatPass::UploadSplats(vtkOpenGLRenderWindow* window, const SplatSamples& samples,
+std::string SplatPass::UploadCells(vtkOpenGLRenderWindow* window, const SplatSamples& samples,
   const SplatClasses& classes, const SplatTree& tree)
 {
   this->FirstNode = static_cast<int>(classes.Samples.size());
-  this->JacobianPerSplat = samples.Jacobians.size() > 1;
+  this->JacobianPerSplat = !samples.HaveOneShape;
   for (std::size_t i = 0; i < 9; ++i)
   {
     this->SharedJacobian[i] = samples.Jacobians[0][i / 3][i % 3];
@@ -173,14 +173,22 @@ std::string SplatPass::UploadSplats(vtkOpenGLRenderWindow* window, const SplatSa
   const std::vector<Float4> packed = packSplats(samples, classes, tree, this->JacobianPerSplat);
   std::string error = this->Splats.Upload(window, packed.data(), packed.size(), 4, VTK_FLOAT);
   error = error.empty() ? this->UploadVectors(window, {}) : error; // until there are some
-  error = error.empty() ? this->UploadVectorColors(window, {}) : error;
+  return error.empty() ? this->UploadVectorColors(window, {}) : error;
+}
+
+std::string SplatPass::UploadColors(
+  vtkOpenGLRenderWindow* window, const SplatClasses& classes, const SplatTree& tree)
+{
+  if (tree.IsEmpty())
+  {
+    return this->Colors.Upload(window, classes.Colors.data(), classes.Colors.size(), 4, VTK_FLOAT);
+  }
   std::vector<Float4> colors = classes.Colors;
   for (const SplatTreeNode& node : tree.Nodes())
   {
     colors.push_back(node.Color);
   }
-  return error.empty() ? this->Colors.Upload(window, colors.data(), colors.size(), 4, VTK_FLOAT)
-                       : error;
+  return this->Colors.Upload(window, colors.data(), colors.size(), 4, VTK_FLOAT);
 }
 
 std::string SplatPass::UploadVectors(

@@ -71,9 +71,12 @@ public:
   ~SplatPass();
 
   // Each returns an empty string, or what went wrong.
-  /** The splats of the classes, and after them the nodes of `tree`. */
-  std::string UploadSplats(vtkOpenGLRenderWindow* window, const SplatSamples& samples,
+  /** Places and shapes of the splats of the classes, and after them those of the nodes of `tree`; vectors are gone. */
+  std::string UploadCells(vtkOpenGLRenderWindow* window, const SplatSamples& samples,
     const SplatClasses& classes, const SplatTree& tree);
+  /** Colour and extinction of the same. */
+  std::string UploadColors(
+    vtkOpenGLRenderWindow* window, const SplatClasses& classes, const SplatTree& tree);
   /** (x, y, z, phase) of every splat of the classes and node, and (red, green, blue, seed). */
   std::string UploadVectors(
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors);

@@ -35,13 +35,13 @@ SplatMatrix turned(const SplatSamples::Jacobian& jacobian, const SplatMatrix& to
 // Squares over parallelograms, in the mean of a few splats.
 double meanExcess(const SplatSamples& samples, const SplatMatrix& toView)
 {
-  const std::size_t count = samples.Jacobians.size();
+  const std::size_t count = samples.SomeJacobians.size();
   const std::size_t step = std::max<std::size_t>(count / probes, 1);
   double sum = 0.0;
   std::size_t seen = 0;
   for (std::size_t i = 0; i < count; i += step, ++seen)
   {
-    sum += SquareExcess(turned(samples.Jacobians[i], toView));
+    sum += SquareExcess(turned(samples.SomeJacobians[i], toView));
   }
   return seen > 0 ? sum / static_cast<double>(seen) : 1.0;
 }

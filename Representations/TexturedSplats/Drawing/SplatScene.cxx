@@ -14,6 +14,8 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkVolumeProperty.h"
 
+#include <utility>
+
 namespace nephoscope
 {
 namespace
@@ -58,30 +60,87 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
   const SampleKey samples = keyOf(input, sampling);
   const ClassKey classes(fields.Scalars.Array, fields.Opacity.Array, fields.Scalars.Component,
     fields.Property->GetMTime(), input->GetMTime(), haveVectors, fields.Interpolate);
-  std::string error;
-  withThreads([&]() {
-    if (samples != this->SampledFrom)
-    {
-      this->Samples = FindSplatSamples(input, sampling, error);
-      this->VectorScene.ForgetSamples();
-    }
-    if (error.empty() && (samples != this->SampledFrom || classes != this->ClassifiedBy))
-    {
-      this->Classes = ClassifySplats(input, this->Samples, fields.Scalars, fields.Opacity,
-        fields.Property, haveVectors, fields.Interpolate);
-      this->ForgetOrder();
-      this->Hierarchy.Invalidate();
-      this->SplatsUploaded = false;
-      this->VectorScene.ForgetUpload();
-    }
-  });
+  this->From = { input, sampling, fields, haveVectors };
+  const std::string error =
+    this->FindSamples(samples != this->SampledFrom, classes != this->ClassifiedBy);
   this->SampledFrom = error.empty() ? samples : SampleKey(); // what is wrong is told again
   this->ClassifiedBy = classes;
   if (error.empty() && haveVectors)
   {
+    this->RestoreJacobians();
     this->VectorScene.Update(input, sampling.OnCells, this->Samples, vectors);
   }
   return error;
+}
+
+std::string SplatScene::FindSamples(bool changed, bool reclassified)
+{
+  std::string error;
+  withThreads([&]() {
+    if (changed)
+    {
+      this->Samples = FindSplatSamples(this->From.Input, this->From.Sampling, error);
+      this->VectorScene.ForgetSamples();
+    }
+    if (!error.empty() || (!changed && !reclassified))
+    {
+      return;
+    }
+    const std::vector<std::int32_t> before = std::move(this->Classes.Samples);
+    this->Classify();
+    // Colours alone change, unless other samples are drawn or nodes of the hierarchy are in the same arrays.
+    if (changed || before != this->Classes.Samples || !this->Hierarchy.Tree().IsEmpty())
+    {
+      this->ForgetOrder();
+      this->CellsUploaded = false;
+    }
+    this->Hierarchy.Invalidate();
+    this->ColorsUploaded = false;
+    this->VectorScene.ForgetUpload();
+  });
+  return error;
+}
+
+void SplatScene::Classify()
+{
+  const SplatFields& fields = this->From.Fields;
+  this->Classes = ClassifySplats(this->From.Input, this->Samples, fields.Scalars, fields.Opacity,
+    fields.Property, this->From.KeepTransparent, fields.Interpolate);
+}
+
+void SplatScene::RestoreJacobians()
+{
+  if (this->Samples.Jacobians.empty())
+  {
+    withThreads(
+      [&]() { FindJacobians(SplatShapes(this->From.Input, this->From.Sampling), this->Samples); });
+  }
+}
+
+void SplatScene::RestoreColors()
+{
+  if (this->Classes.Colors.empty() && !this->Classes.Samples.empty())
+  {
+    withThreads([&]() { this->Classify(); });
+  }
+}
+
+// What the graphics card has, of 52 bytes for each sample with a shape of its own, is not kept twice. Not before the camera moves: as long as it does not, transfer
+// functions may be edited, and other samples drawn. Vectors and the hierarchy need it in every picture.
+void SplatScene::FreeUploaded(const SplatVectorSettings& vectors)
+{
+  const bool shapesOfGrid = // Direction() of the grid is not that of the shapes
+    this->Samples.Dimensions[0] > 0 && !this->From.Sampling.ShapeArrayName.empty();
+  if (!this->CameraMoved || !vectors.ArrayName.empty() || !this->Hierarchy.Tree().IsEmpty() ||
+    shapesOfGrid)
+  {
+    return;
+  }
+  this->Classes.FreeColors();
+  if (!this->Samples.HaveOneShape)
+  {
+    this->Samples.FreeJacobians();
+  }
 }
 
 std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName,
@@ -141,10 +200,12 @@ void SplatScene::DrawNodes(const SplatErrorRule& errors, const SplatCutRule& rul
   const SplatCutView& view, const std::string& vectorArrayName)
 {
   this->SetDrawsHierarchy(true);
+  this->RestoreJacobians();
+  this->RestoreColors();
   withThreads([&]() {
     if (this->Hierarchy.Update(this->Samples, this->Classes, this->VectorScene, vectorArrayName))
     {
-      this->SplatsUploaded = false;
+      this->CellsUploaded = this->ColorsUploaded = false;
     }
     if (this->Hierarchy.Select(this->Samples, this->Classes, errors, rule, view))
     {
@@ -161,6 +222,7 @@ void SplatScene::UpdateOrder(const ViewState& state)
   {
     return;
   }
+  this->CameraMoved = !this->Order.empty();
   withThreads([&]() { this->Order = OrderSplats(this->Places(), this->Drawn(), eye, metric); });
   this->Eye = eye;
   this->Metric = metric;
@@ -226,10 +288,17 @@ std::string SplatScene::Upload(
   vtkOpenGLRenderWindow* window, SplatPass& pass, const SplatVectorSettings& vectors)
 {
   std::string error;
-  if (!this->SplatsUploaded)
+  if (!this->CellsUploaded)
   {
-    error = pass.UploadSplats(window, this->Samples, this->Classes, this->Hierarchy.Tree());
+    this->RestoreJacobians();
+    error = pass.UploadCells(window, this->Samples, this->Classes, this->Hierarchy.Tree());
     this->VectorScene.ForgetUpload();
+    this->CameraMoved = false;
+  }
+  if (error.empty() && !this->ColorsUploaded)
+  {
+    this->RestoreColors();
+    error = pass.UploadColors(window, this->Classes, this->Hierarchy.Tree());
   }
   if (error.empty() && !vectors.ArrayName.empty())
   {
@@ -239,13 +308,17 @@ std::string SplatScene::Upload(
   {
     this->UploadOrder(pass);
   }
-  this->SplatsUploaded = this->OrderUploaded = error.empty();
+  this->CellsUploaded = this->ColorsUploaded = this->OrderUploaded = error.empty();
+  if (error.empty())
+  {
+    this->FreeUploaded(vectors);
+  }
   return error;
 }
 
 void SplatScene::ForgetUpload()
 {
-  this->SplatsUploaded = this->OrderUploaded = false;
+  this->CellsUploaded = this->ColorsUploaded = this->OrderUploaded = false;
   this->VectorScene.ForgetUpload();
 }
 

@@ -112,9 +112,26 @@ private:
                                 : this->Samples.LongestEdge;
   }
   void SetDrawsHierarchy(bool hierarchy);
+  std::string FindSamples(bool changed, bool reclassified);
+  void Classify();
+  ///@{
+  /** What was freed is found again. */
+  void RestoreJacobians();
+  void RestoreColors();
+  ///@}
+  void FreeUploaded(const SplatVectorSettings& vectors);
   void ForgetOrder();
   void UploadOrder(SplatPass& pass) const;
 
+  // Of the last update, for what is found again in the same render.
+  struct Sources
+  {
+    vtkDataSet* Input = nullptr;
+    SplatSampling Sampling;
+    SplatFields Fields = {};
+    bool KeepTransparent = false; // for vectors
+  };
+  Sources From;
   SampleKey SampledFrom;
   ClassKey ClassifiedBy{ nullptr, nullptr, 0, 0, 0, false, false };
   BoundsKey BoundsOf;
@@ -129,7 +146,8 @@ private:
   SplatMetric Metric = UnitMetric;
   std::vector<std::int32_t> Order;
   std::vector<std::int32_t> Items; // of the order, where vectors are in layers
-  bool SplatsUploaded = false, OrderUploaded = false;
+  bool CellsUploaded = false, ColorsUploaded = false, OrderUploaded = false;
+  bool CameraMoved = false; // since shapes were used last
 };
 
 } // namespace nephoscope

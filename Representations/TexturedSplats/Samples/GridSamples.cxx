@@ -299,6 +299,15 @@ SplatMatrix GridSamples::Jacobian(vtkIdType id) const
   return this->WideColumns(index, share);
 }
 
+Vector3 GridSamples::Direction(vtkIdType id, int axis) const
+{
+  int index[3];
+  this->IndexOf(id, index);
+  Vector3 column{};
+  const bool found = this->FindColumn(index, axis, column) && norm(column) > 0;
+  return found ? column : this->Jacobian(id)[static_cast<std::size_t>(axis)];
+}
+
 // Those of the cell, but wider where it is a needle; `share`: by how much the cell is less.
 SplatMatrix GridSamples::WideColumns(const int index[3], double& share) const
 {

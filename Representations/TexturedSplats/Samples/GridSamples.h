@@ -46,6 +46,8 @@ public:
   /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. Needles
    * are wider than their cells. Cells of curved grids have the covariance of the cell (CellMoments.h). */
   SplatMatrix Jacobian(vtkIdType id) const;
+  /** Of a column of that, which is longer or shorter than this one. */
+  Vector3 Direction(vtkIdType id, int axis) const;
 
   /** Cells that do not count, one flag each; none if empty. */
   void SetHiddenCells(std::vector<unsigned char> hidden) { this->Hidden = std::move(hidden); }

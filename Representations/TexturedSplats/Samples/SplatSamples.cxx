@@ -15,6 +15,7 @@
 #include <cmath>
 #include <numeric>
 #include <sstream>
+#include <utility>
 
 namespace nephoscope
 {
@@ -161,6 +162,24 @@ double MeanSpacing(const double bounds[6], std::size_t count)
   return axes > 0 ? std::pow(volume / static_cast<double>(count), 1.0 / axes) : 1.0;
 }
 
+void SplatSamples::FreeJacobians()
+{
+  std::vector<Jacobian>().swap(this->Jacobians);
+}
+
+void FindJacobians(const SplatShapes& shapes, SplatSamples& samples)
+{
+  samples.HaveOneShape = shapes.HaveOneShape() || samples.Size() == 1;
+  samples.Jacobians.resize(samples.HaveOneShape ? 1 : samples.Size());
+  forAll(samples.Jacobians.size(),
+    [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
+  samples.SomeJacobians.clear();
+  for (std::size_t i = 0; i < samples.Jacobians.size(); i += samples.StrideOfSome())
+  {
+    samples.SomeJacobians.push_back(samples.Jacobians[i]);
+  }
+}
+
 namespace
 {
 void findCenter(vtkDataSet* data, const SplatSampling& sampling, double center[3])
@@ -185,14 +204,11 @@ void takePlaces(const std::vector<Vector3>& places, SplatSamples& samples)
   });
 }
 
-// Jacobians, one if all are the same, and the shares, none if all are whole.
-void takeShapes(const SplatShapes& shapes, SplatSamples& samples)
+// None if all are whole.
+void takeShares(const SplatShapes& shapes, SplatSamples& samples)
 {
-  samples.Jacobians.resize(shapes.HaveOneShape() ? 1 : samples.Ids.size());
-  forAll(samples.Jacobians.size(),
-    [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
-  samples.Shares.resize(samples.Ids.size());
-  forAll(samples.Ids.size(),
+  samples.Shares.resize(samples.Size());
+  forAll(samples.Shares.size(),
     [&](std::size_t i) { samples.Shares[i] = static_cast<float>(shapes.Share(samples.Ids[i])); });
   const auto whole = [](float share) { return share == 1.0f; };
   if (std::all_of(samples.Shares.begin(), samples.Shares.end(), whole))
@@ -227,29 +243,31 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   }
   const SplatShapes shapes(data, sampling);
   std::copy_n(shapes.GetGrid().GetDimensions(), 3, samples.Dimensions);
-  samples.Ids = visibleIds(shapes);
-  const std::size_t visible = samples.Ids.size();
+  std::vector<vtkIdType> ids = visibleIds(shapes);
+  const std::size_t visible = ids.size();
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
     samples.NumberOfWrongSizes += shapes.HasWrongSize(id) ? 1 : 0;
   }
   std::vector<Vector3> places(visible);
-  forAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(samples.Ids[i]); });
+  forAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(ids[i]); });
   const int kind = sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT;
-  sortByPlace(data->GetAttributesAsFieldData(kind), samples.Ids, places);
+  sortByPlace(data->GetAttributesAsFieldData(kind), ids, places);
   samples.NumberNowhere = visible - places.size();
-  if (samples.Ids.empty())
+  if (ids.empty())
   {
     error = "The input has no visible points to draw.";
     return samples;
   }
+  samples.Ids = SampleIds(std::move(ids));
   findCenter(data, sampling, samples.Center);
   samples.AreVoxels = shapes.AreVoxels();
   samples.Voxel = shapes.GetVoxel();
   samples.FirstVoxel =
     shapes.GetFirstVoxel() - Vector3{ samples.Center[0], samples.Center[1], samples.Center[2] };
   takePlaces(places, samples);
-  takeShapes(shapes, samples);
+  FindJacobians(shapes, samples);
+  takeShares(shapes, samples);
   samples.LongestEdge = std::max(sampling.Frame.LongestEdge, longestEdge(samples));
   error = checkWidth(samples.LongestEdge);
   return samples;

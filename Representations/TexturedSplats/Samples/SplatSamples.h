@@ -12,10 +12,12 @@
 #ifndef SplatSamples_h
 #define SplatSamples_h
 
+#include "SampleIds.h"
 #include "SplatShapes.h"
 
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -32,9 +34,13 @@ struct SplatSamples
 
   double Center[3] = { 0, 0, 0 }; ///< positions are relative to it
   std::vector<Float3> Positions;
-  std::vector<Jacobian> Jacobians; ///< one for each sample, or a single one for all
+  bool HaveOneShape = false;
+  std::vector<Jacobian>
+    Jacobians; ///< one for each sample, or a single one for all; none after FreeJacobians
+  std::vector<Jacobian>
+    SomeJacobians;           ///< of every StrideOfSome()-th sample, which stay; or the single one
   std::vector<float> Shares; ///< of each sample, the part of its cell that counts; empty: all of it
-  std::vector<vtkIdType> Ids; ///< of the point or cell
+  SampleIds Ids;             ///< of the point or cell
 
   double LongestEdge = 0; ///< largest factor by which any Jacobian stretches a length
   /** Dimensions of the structured grid whose samples these are: Ids count along x, y, z. */
@@ -52,8 +58,16 @@ struct SplatSamples
   std::size_t Size() const { return this->Positions.size(); }
   const Jacobian& JacobianOf(std::size_t i) const
   {
-    return this->Jacobians[this->Jacobians.size() == 1 ? 0 : i];
+    return this->Jacobians[this->HaveOneShape ? 0 : i];
   }
+  /** So that means over the samples need 10,000 to 20,000 of them. */
+  std::size_t StrideOfSome() const { return std::max<std::size_t>(1, this->Size() / 10000); }
+  const Jacobian& SomeJacobianOf(std::size_t i) const
+  {
+    return this->SomeJacobians[this->HaveOneShape ? 0 : i / this->StrideOfSome()];
+  }
+  /** To be called while the samples have them. */
+  void FreeJacobians();
   float ShareOf(std::size_t i) const { return this->Shares.empty() ? 1.0f : this->Shares[i]; }
 };
 
@@ -66,6 +80,9 @@ VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT double MeanSpacing(
 
 /** Along which the bounds have an extent. */
 int NumberOfAxes(const double bounds[6]);
+
+/** Those of samples that have been found with these shapes. */
+void FindJacobians(const SplatShapes& shapes, SplatSamples& samples);
 
 /** Hidden and duplicate samples, and those without a finite position, are left out. Empty result or `error`. */
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error);

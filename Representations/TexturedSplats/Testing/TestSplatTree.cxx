@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <utility>
 #include <vector>
 
 using namespace nephoscope;
@@ -36,9 +37,11 @@ struct Scene
 Scene makeScene(Random& random, std::array<int, 3> n, bool lattice, double left = 0.2)
 {
   Scene scene;
+  scene.Samples.HaveOneShape = true;
   scene.Samples.Jacobians = { { { { { 0.5f, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 2 } } } } };
   std::copy_n(lattice ? n.data() : std::array<int, 3>{}.data(), 3, scene.Samples.Dimensions);
   const int count = n[0] * n[1] * n[2];
+  std::vector<vtkIdType> ids;
   for (int id = 0; id < count; ++id)
   {
     const int index[3] = { id % n[0], id / n[0] % n[1], id / n[0] / n[1] };
@@ -46,7 +49,7 @@ Scene makeScene(Random& random, std::array<int, 3> n, bool lattice, double left 
     scene.Samples.Positions.push_back({ { float(0.5 * (index[0] + jitter * random.Normal())),
       float(index[1] + jitter * random.Normal()),
       float(2 * (index[2] + jitter * random.Normal())) } });
-    scene.Samples.Ids.push_back(id);
+    ids.push_back(id);
     if (random.Uniform() >= left)
     {
       scene.Classes.Samples.push_back(id);
@@ -54,6 +57,7 @@ Scene makeScene(Random& random, std::array<int, 3> n, bool lattice, double left 
         float(random.Uniform()), float(random.Uniform(0.1, 2)) } });
     }
   }
+  scene.Samples.Ids = SampleIds(std::move(ids));
   return scene;
 }
 

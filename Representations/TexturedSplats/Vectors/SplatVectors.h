@@ -9,6 +9,7 @@
 #ifndef SplatVectors_h
 #define SplatVectors_h
 
+#include "SampleIds.h"
 #include "SplatSeed.h"
 #include "SplatSpeeds.h"
 
@@ -104,7 +105,7 @@ private:
 
   std::vector<std::array<float, 3>> Vectors;
   std::vector<SplatSeed> Seeds;
-  std::vector<vtkIdType> Ids;
+  SampleIds Ids;
   std::vector<double> Moved; // by each point or cell, in periods, in [0, 1)
   double KeptTime = 0;       // until which `Moved` holds the motion at true speed
   SpeedCounts Speeds;
