@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace nephoscope
 {
@@ -119,6 +120,39 @@ bool splitQuadraticSolid(int cellType, Emit emit)
   }
 }
 
+inline void scalePoints(vtkPoints* points, double factor)
+{
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    points->GetPoint(i, x);
+    points->SetPoint(i, factor * x[0], factor * x[1], factor * x[2]);
+  }
+  points->Modified();
+}
+
+// VTK solves systems for the triangulation of a polyhedron, and takes them for singular where edges are shorter than about 1e-10. Small cells are
+// made larger for it by a power of two, which changes no digit.
+inline bool triangulateByVTK(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
+{
+  constexpr double small = 1e-3;
+  double bounds[6];
+  cell->GetPoints()->GetBounds(bounds);
+  const double length =
+    std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
+  const bool scaled = length > 0 && length < small;
+  const double factor = scaled ? std::ldexp(1.0, -std::ilogb(length)) : 1.0;
+  if (!scaled || !std::isfinite(factor))
+  {
+    return cell->Triangulate(0, ids, points) != 0;
+  }
+  scalePoints(cell->GetPoints(), factor);
+  const bool divided = cell->Triangulate(0, ids, points) != 0;
+  scalePoints(cell->GetPoints(), 1 / factor);
+  scalePoints(points, 1 / factor);
+  return divided;
+}
+
 /** vtkCell::Triangulate, for cells of all kinds. */
 inline bool triangulateCell(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
 {
@@ -136,7 +170,7 @@ inline bool triangulateCell(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
   };
   ids->Reset();
   points->Reset();
-  return splitQuadraticSolid(cell->GetCellType(), part) || cell->Triangulate(0, ids, points) != 0;
+  return splitQuadraticSolid(cell->GetCellType(), part) || triangulateByVTK(cell, ids, points);
 }
 
 template <typename Emit>

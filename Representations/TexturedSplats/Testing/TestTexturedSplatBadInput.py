@@ -61,6 +61,22 @@ class BadInput(unittest.TestCase):
                 with self.subTest(name, size=size):
                     self.expect("too small for the single precision of graphics cards. Choose a smaller unit", small(size, make))
 
+    def test_small_polyhedra(self):
+        """They are drawn as those of 1, without messages of VTK, which cannot triangulate them at that size."""
+        corners = np.array([[-1, -1, -1], [1, -1, -1], [1, 1, -1], [-1, 1, -1], [-0.8, -1, 1], [1, -0.9, 1], [0.9, 1, 1], [-1, 0.9, 1]])
+        faces = [(3, 2, 1, 0), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+        pictures = []
+        for size in (1.0, 1e-5, 1e-10, 3e-12):
+            def configure(mapper, scene):
+                scene.look((0, 0, 8 * size), (0, 0, 0))
+                scene.renderer.GetVolumes().GetItemAsObject(0).GetProperty().SetScalarOpacityUnitDistance(size)
+            with self.subTest(size=size):
+                messages, mapper = self.draw(meshes.with_field(meshes.polyhedron(size * corners, faces), lambda p: p[:, 0] / size), configure)
+                self.assertEqual(messages.all, [])
+                pictures.append(float_image(mapper))
+                np.testing.assert_allclose(pictures[-1], pictures[0], atol=1e-3)
+        self.assertGreater(pictures[0].max(), 0.1)
+
     def test_missing_array(self):
         self.expect("No point array named 'q'", self.cube(), lambda m, s: m.SelectScalarArray("q"))
 
