@@ -6,8 +6,8 @@
  * At each corner the edges to its three neighbours span a volume, the Jacobian there. All have one sign in a cell that does not fold; a negative sign is that
  * of a cell that is numbered inside out, which is drawn like any other.
  */
-#ifndef CellCorners_h
-#define CellCorners_h
+#ifndef nephoscope_CellCorners_h
+#define nephoscope_CellCorners_h
 
 #include "Vector3.h"
 

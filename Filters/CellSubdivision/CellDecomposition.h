@@ -8,8 +8,8 @@
  * least vertex too, so every face is cut as a fan from its least vertex, for both of its cells (the smallest-index rule of Dompierre1999, for any convex polyhedron). "Least" is any total order of the vertices; TetrahedronSource says
  * which one the mapper takes.
  */
-#ifndef CellDecomposition_h
-#define CellDecomposition_h
+#ifndef nephoscope_CellDecomposition_h
+#define nephoscope_CellDecomposition_h
 
 #include <algorithm>
 #include <array>

@@ -8,8 +8,8 @@
  * a cell does not affect its neighbours: a cell is coned from its least vertex, or from its centre where the least vertex does not see all
  * faces (faces that share a plane, warped faces).
  */
-#ifndef CellTetrahedra_h
-#define CellTetrahedra_h
+#ifndef nephoscope_CellTetrahedra_h
+#define nephoscope_CellTetrahedra_h
 
 #include "Vector3.h"
 

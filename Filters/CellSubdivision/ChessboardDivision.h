@@ -7,8 +7,8 @@
  * The same cells then look the same as a grid and as unstructured data. Division by coordinates (TetrahedronSource.h) would
  * make six tetrahedra of each cell in place of five, with diagonals in the same direction everywhere.
  */
-#ifndef ChessboardDivision_h
-#define ChessboardDivision_h
+#ifndef nephoscope_ChessboardDivision_h
+#define nephoscope_ChessboardDivision_h
 
 #include "ChessboardGrid.h"
 

@@ -10,8 +10,8 @@
  *
  * Indices are global (extents count), so that pieces of a grid fit together. shaders/ChessboardTopology.glsl walks through it.
  */
-#ifndef ChessboardGrid_h
-#define ChessboardGrid_h
+#ifndef nephoscope_ChessboardGrid_h
+#define nephoscope_ChessboardGrid_h
 
 #include <array>
 #include <cstdint>

@@ -7,8 +7,8 @@
  * layer k, and 2k + 1 on the value v[k], between layers k and k + 1. Everything that follows is decided by comparing codes, so that two
  * cells which share a vertex cannot disagree.
  */
-#ifndef ContourLevels_h
-#define ContourLevels_h
+#ifndef nephoscope_ContourLevels_h
+#define nephoscope_ContourLevels_h
 
 #include <algorithm>
 #include <cmath>

@@ -7,8 +7,8 @@
  * set to the value. This is done if the difference is less than 1e-12 of the scalar's range in a cell that is cut there, or if
  * the cut would be nearer to the vertex than 64 times the rounding of its coordinates.
  */
-#ifndef ContourScalars_h
-#define ContourScalars_h
+#ifndef nephoscope_ContourScalars_h
+#define nephoscope_ContourScalars_h
 
 #include "ContourLevels.h"
 

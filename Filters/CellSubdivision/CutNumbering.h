@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** One number for each cut, however many batches have made it. */
-#ifndef CutNumbering_h
-#define CutNumbering_h
+#ifndef nephoscope_CutNumbering_h
+#define nephoscope_CutNumbering_h
 
 #include "SplitBatch.h"
 

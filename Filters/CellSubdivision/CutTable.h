@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Points where edges cross values: what names them, and a hash table that numbers them. */
-#ifndef CutTable_h
-#define CutTable_h
+#ifndef nephoscope_CutTable_h
+#define nephoscope_CutTable_h
 
 #include <cstddef>
 #include <cstdint>

@@ -7,8 +7,8 @@
  *
  * Each linear cell goes through decomposeCell, so that faces are cut by the same rule from both sides.
  */
-#ifndef HigherOrderCells_h
-#define HigherOrderCells_h
+#ifndef nephoscope_HigherOrderCells_h
+#define nephoscope_HigherOrderCells_h
 
 #include "CellDecomposition.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The faces of VTK's linear 3-D cells, for CellDecomposition.h. */
-#ifndef LinearCellFaces_h
-#define LinearCellFaces_h
+#ifndef nephoscope_LinearCellFaces_h
+#define nephoscope_LinearCellFaces_h
 
 #include "CellDecomposition.h"
 

@@ -19,8 +19,8 @@
  * All lengths are compared with `slack`: PlaneTolerance times the cell's size, for faces that are planar apart from rounding,
  * plus the displacement of the vertices by rounding (eight steps of the number format at the largest coordinate).
  */
-#ifndef PolyhedronConvexity_h
-#define PolyhedronConvexity_h
+#ifndef nephoscope_PolyhedronConvexity_h
+#define nephoscope_PolyhedronConvexity_h
 
 #include "PolyhedronSurface.h"
 

@@ -11,8 +11,8 @@
  * A vertex's number is its rank by coordinates (x, then y, then z), so "least vertex" is "least number", the same
  * for every cell that has the vertex.
  */
-#ifndef PolyhedronSurface_h
-#define PolyhedronSurface_h
+#ifndef nephoscope_PolyhedronSurface_h
+#define nephoscope_PolyhedronSurface_h
 
 #include "CellDecomposition.h"
 #include "Vector3.h"

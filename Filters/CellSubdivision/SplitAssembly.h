@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The cells of the output, from all batches: pieces in the order of the input's cells, then the polygons of the surfaces. */
-#ifndef SplitAssembly_h
-#define SplitAssembly_h
+#ifndef nephoscope_SplitAssembly_h
+#define nephoscope_SplitAssembly_h
 
 #include "CutNumbering.h"
 #include "SplitBatch.h"

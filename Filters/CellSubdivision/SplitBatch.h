@@ -4,8 +4,8 @@
  * The cells of one range of the input, divided. Batches are made in parallel, each by one thread, and put together in order, so
  * that the output does not depend on the number of threads.
  */
-#ifndef SplitBatch_h
-#define SplitBatch_h
+#ifndef nephoscope_SplitBatch_h
+#define nephoscope_SplitBatch_h
 
 #include "CellTetrahedra.h"
 #include "ContourScalars.h"

@@ -6,8 +6,8 @@
  * A cut lies between two points at t = (value - scalar) / (scalar - scalar), counted from the end with the lower scalar, so that it comes
  * out the same wherever the edge is met again.
  */
-#ifndef SplitPoints_h
-#define SplitPoints_h
+#ifndef nephoscope_SplitPoints_h
+#define nephoscope_SplitPoints_h
 
 #include "ContourScalars.h"
 #include "SplitBatch.h"

@@ -16,8 +16,8 @@
  * A vertex exactly on a value counts as inside both slabs that it touches. The cut on an edge that starts there is the vertex
  * itself; where corners of a piece become one, the piece becomes a simpler one or vanishes.
  */
-#ifndef TetrahedronSlabs_h
-#define TetrahedronSlabs_h
+#ifndef nephoscope_TetrahedronSlabs_h
+#define nephoscope_TetrahedronSlabs_h
 
 #include "ContourLevels.h"
 

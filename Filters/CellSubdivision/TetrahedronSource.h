@@ -7,8 +7,8 @@
  * does not depend on numbering, blocks or ranks. Cells of structured data are divided by the indices of their vertices, as
  * ChessboardGrid.h says; so are hexahedra and voxels that have left their grid, if the cell array divisionName tells how.
  */
-#ifndef TetrahedronSource_h
-#define TetrahedronSource_h
+#ifndef nephoscope_TetrahedronSource_h
+#define nephoscope_TetrahedronSource_h
 
 #include "CellCorners.h"
 #include "ChessboardDivision.h"

@@ -6,8 +6,8 @@
  * A divided cell has triangles where its neighbour, left whole, has a polygon. As a polyhedron the neighbour can have the same
  * triangles, and stay one cell with the points it had.
  */
-#ifndef TransitionCells_h
-#define TransitionCells_h
+#ifndef nephoscope_TransitionCells_h
+#define nephoscope_TransitionCells_h
 
 #include "SplitBatch.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The tetrahedra that one polyhedral cell is divided into, and how they are judged. */
-#ifndef CellDivision_h
-#define CellDivision_h
+#ifndef nephoscope_CellDivision_h
+#define nephoscope_CellDivision_h
 
 #include "FaceTriangulation.h"
 #include "PolyhedronSurface.h"

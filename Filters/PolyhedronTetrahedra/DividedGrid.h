@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** An unstructured grid with all arrays, in which some cells are replaced by tetrahedra. */
-#ifndef DividedGrid_h
-#define DividedGrid_h
+#ifndef nephoscope_DividedGrid_h
+#define nephoscope_DividedGrid_h
 
 #include "CellDivision.h"
 

@@ -15,8 +15,8 @@
  *
  * Vertices are compared and measured in the plane of the face's area-weighted mean normal.
  */
-#ifndef FaceTriangulation_h
-#define FaceTriangulation_h
+#ifndef nephoscope_FaceTriangulation_h
+#define nephoscope_FaceTriangulation_h
 
 #include "Tetrahedron.h"
 

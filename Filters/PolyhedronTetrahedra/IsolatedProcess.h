@@ -11,8 +11,8 @@
  * The child is a copy of the process (fork) that does nothing else, prints nothing, leaves no core file and runs no exit handlers. Without
  * fork, the calls run in the process itself.
  */
-#ifndef IsolatedProcess_h
-#define IsolatedProcess_h
+#ifndef nephoscope_IsolatedProcess_h
+#define nephoscope_IsolatedProcess_h
 
 #include <functional>
 #include <string>

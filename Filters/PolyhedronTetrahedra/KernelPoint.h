@@ -12,8 +12,8 @@
  * empty (r < 0 at the optimum) and where its middle is; that the surface is closed keeps x bounded. Given up once r
  * cannot become positive any more: r is at most (number of triangles) * mu below its optimum.
  */
-#ifndef KernelPoint_h
-#define KernelPoint_h
+#ifndef nephoscope_KernelPoint_h
+#define nephoscope_KernelPoint_h
 
 #include "Tetrahedron.h"
 

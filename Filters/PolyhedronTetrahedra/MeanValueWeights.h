@@ -14,8 +14,8 @@
  * of (W U) sums to 1, so that the matrix is regular, and the weights on old points are not negative and sum to 1:
  * no new value lies outside the range of the cell's values.
  */
-#ifndef MeanValueWeights_h
-#define MeanValueWeights_h
+#ifndef nephoscope_MeanValueWeights_h
+#define nephoscope_MeanValueWeights_h
 
 #include "Tetrahedron.h"
 

@@ -14,8 +14,8 @@
  * Cones over the triangles of a closed surface add up, with their signs, to the inside of it: where all are positive they fill the
  * cell without overlap. Steps 1 and 2 are therefore correct whenever their signs are, whatever the shape.
  */
-#ifndef PolyhedronDivider_h
-#define PolyhedronDivider_h
+#ifndef nephoscope_PolyhedronDivider_h
+#define nephoscope_PolyhedronDivider_h
 
 #include "CellDivision.h"
 #include "PolyhedronConvexity.h"

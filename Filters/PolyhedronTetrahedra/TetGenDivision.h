@@ -6,8 +6,8 @@
  * TetGen keeps the state of its predicates and its random numbers in variables of the process (exactinit in predicates.cxx sets error
  * bounds from the mesh at hand), so one cell at a time is divided. Why in another process: IsolatedProcess.h.
  */
-#ifndef TetGenDivision_h
-#define TetGenDivision_h
+#ifndef nephoscope_TetGenDivision_h
+#define nephoscope_TetGenDivision_h
 
 #include "CellDivision.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** VTK's arrays as grids of OpenVDB: which type of grid, and the values. */
-#ifndef VdbArrays_h
-#define VdbArrays_h
+#ifndef nephoscope_VdbArrays_h
+#define nephoscope_VdbArrays_h
 
 #include "VdbGrids.h"
 #include "VdbWriting.h"

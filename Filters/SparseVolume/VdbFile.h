@@ -4,8 +4,8 @@
  * The functions of OpenVDB that the VTK classes use. No OpenVDB header is needed here: a build without OpenVDB has the same functions, which
  * fail with a sentence that gives the remedy (NoOpenVDB.cxx).
  */
-#ifndef VdbFile_h
-#define VdbFile_h
+#ifndef nephoscope_VdbFile_h
+#define nephoscope_VdbFile_h
 
 #include "AffineGrid.h"
 

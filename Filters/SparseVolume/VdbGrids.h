@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** OpenVDB grids from a file, and their descriptions. */
-#ifndef VdbGrids_h
-#define VdbGrids_h
+#ifndef nephoscope_VdbGrids_h
+#define nephoscope_VdbGrids_h
 
 #include "VdbFile.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Grids from values on a lattice: the samples of an image, or points that represent voxels. */
-#ifndef VdbLattice_h
-#define VdbLattice_h
+#ifndef nephoscope_VdbLattice_h
+#define nephoscope_VdbLattice_h
 
 #include "VdbArrays.h"
 

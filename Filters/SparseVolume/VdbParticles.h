@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Particles as the density of their mass, and means of their values weighted with it. */
-#ifndef VdbParticles_h
-#define VdbParticles_h
+#ifndef nephoscope_VdbParticles_h
+#define nephoscope_VdbParticles_h
 
 #include "VdbArrays.h"
 

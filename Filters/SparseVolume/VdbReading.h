@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Steps that points and images have in common. */
-#ifndef VdbReading_h
-#define VdbReading_h
+#ifndef nephoscope_VdbReading_h
+#define nephoscope_VdbReading_h
 
 #include "VdbGrids.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The values of a grid at the voxels of a lattice, its own or another, as VTK's arrays hold them. */
-#ifndef VdbValues_h
-#define VdbValues_h
+#ifndef nephoscope_VdbValues_h
+#define nephoscope_VdbValues_h
 
 #include "VdbGrids.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The functions of OpenVDB that the writer uses. No OpenVDB header is needed here, as in VdbFile.h. */
-#ifndef VdbWriting_h
-#define VdbWriting_h
+#ifndef nephoscope_VdbWriting_h
+#define nephoscope_VdbWriting_h
 
 #include <map>
 #include <string>

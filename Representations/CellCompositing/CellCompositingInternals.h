@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** What vtkCellCompositingMapper keeps, for the files that it is written in. */
-#ifndef CellCompositingInternals_h
-#define CellCompositingInternals_h
+#ifndef nephoscope_CellCompositingInternals_h
+#define nephoscope_CellCompositingInternals_h
 
 #include "vtkCellCompositingMapper.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A cell compositing mapper among the volumes of a renderer.
-#ifndef CellsInOrder_h
-#define CellsInOrder_h
+#ifndef nephoscope_CellsInOrder_h
+#define nephoscope_CellsInOrder_h
 
 #include "VolumeOrder.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The bump map of clouds for the lights: the shader code for a textured surface. */
-#ifndef CloudRelief_h
-#define CloudRelief_h
+#ifndef nephoscope_CloudRelief_h
+#define nephoscope_CloudRelief_h
 
 #include "GardnerWaves.h"
 

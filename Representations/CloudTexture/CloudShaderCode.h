@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The code inserted into the shaders of the superclass, and the constants for this class' shaders. */
-#ifndef CloudShaderCode_h
-#define CloudShaderCode_h
+#ifndef nephoscope_CloudShaderCode_h
+#define nephoscope_CloudShaderCode_h
 
 #include "GardnerWaves.h"
 #include "TexturedSurface.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** From the surface to the layers that the fragment shader takes the thickness of clouds from, once for each picture. */
-#ifndef CloudThicknessPass_h
-#define CloudThicknessPass_h
+#ifndef nephoscope_CloudThicknessPass_h
+#define nephoscope_CloudThicknessPass_h
 
 #include "SceneDepth.h"
 #include "SurfaceLayers.h"

@@ -11,8 +11,8 @@
  * sum of fourth powers of the amplitudes, over that of a single texture, tells by how much. So one table of thresholds by cover and by this
  * ratio serves all blends and all distances.
  */
-#ifndef CoverageThreshold_h
-#define CoverageThreshold_h
+#ifndef nephoscope_CoverageThreshold_h
+#define nephoscope_CoverageThreshold_h
 
 #include "GardnerWaves.h"
 

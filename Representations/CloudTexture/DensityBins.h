@@ -5,8 +5,8 @@
  * tetrahedra on its way. Bins are about as large as the tetrahedra or, for flat ones, as cubes of their volume, so that no tetrahedron is in many lists and
  * no list is long.
  */
-#ifndef DensityBins_h
-#define DensityBins_h
+#ifndef nephoscope_DensityBins_h
+#define nephoscope_DensityBins_h
 
 #include "DensityTetrahedra.h"
 

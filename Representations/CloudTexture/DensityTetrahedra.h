@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The cells of blocks as tetrahedra with the density at their vertices; those without any density are left out. */
-#ifndef DensityTetrahedra_h
-#define DensityTetrahedra_h
+#ifndef nephoscope_DensityTetrahedra_h
+#define nephoscope_DensityTetrahedra_h
 
 #include <array>
 #include <cstddef>

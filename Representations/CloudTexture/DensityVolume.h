@@ -4,8 +4,8 @@
  * The density of clouds in space on the GPU, where the fragment shader integrates it along rays: of an image voxel by voxel (DensityImage), of all
  * other grids tetrahedron by tetrahedron (DensityCells).
  */
-#ifndef DensityVolume_h
-#define DensityVolume_h
+#ifndef nephoscope_DensityVolume_h
+#define nephoscope_DensityVolume_h
 
 #include "vtkType.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Numbers of the headers for GardnerTexture.glsl. */
-#ifndef GardnerShaderConstants_h
-#define GardnerShaderConstants_h
+#ifndef nephoscope_GardnerShaderConstants_h
+#define nephoscope_GardnerShaderConstants_h
 
 #include "CoverageThreshold.h"
 

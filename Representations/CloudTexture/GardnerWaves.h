@@ -7,8 +7,8 @@
  *
  * With whole numbers b and e the texture has period 1 in u.
  */
-#ifndef GardnerWaves_h
-#define GardnerWaves_h
+#ifndef nephoscope_GardnerWaves_h
+#define nephoscope_GardnerWaves_h
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The surfaces of a composite data set as one: thickness runs across the borders of its blocks. */
-#ifndef JoinedSurfaces_h
-#define JoinedSurfaces_h
+#ifndef nephoscope_JoinedSurfaces_h
+#define nephoscope_JoinedSurfaces_h
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"

@@ -5,8 +5,8 @@
  * (Cauchy1850). The volume is that of the tetrahedra between the triangles and the origin, with their signs. It is closed where every edge is
  * there once in each direction: then the signed sum of hash values of edges is 0, and by chance in one case of 2^64.
  */
-#ifndef MeanChord_h
-#define MeanChord_h
+#ifndef nephoscope_MeanChord_h
+#define nephoscope_MeanChord_h
 
 #include <array>
 #include <cmath>

@@ -4,8 +4,8 @@
  * The depth of opaque objects, for mappers of translucent surfaces. Depth peeling draws them into images without a depth buffer; there
  * the pass provides the depth, in its first stage only.
  */
-#ifndef SceneDepth_h
-#define SceneDepth_h
+#ifndef nephoscope_SceneDepth_h
+#define nephoscope_SceneDepth_h
 
 #include "OpaqueDepth.h"
 

@@ -4,8 +4,8 @@
  * The depths at which the rays of all pixels enter and leave a surface, by drawing it several times: each time finds the nearest and the
  * farthest front face that are left, and as many back faces. As far as nothing opaque hides them.
  */
-#ifndef SurfaceLayers_h
-#define SurfaceLayers_h
+#ifndef nephoscope_SurfaceLayers_h
+#define nephoscope_SurfaceLayers_h
 
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The length of one unit of texture where coordinates are positions, and how often it repeats itself: of a surface, or of the parts of one together. */
-#ifndef SurfaceLength_h
-#define SurfaceLength_h
+#ifndef nephoscope_SurfaceLength_h
+#define nephoscope_SurfaceLength_h
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** As SurfaceLayers, in one drawing and without a limit, for OpenGL with images in shaders (4.2, or the extension): each pixel has a list of the faces behind it. */
-#ifndef SurfaceLists_h
-#define SurfaceLists_h
+#ifndef nephoscope_SurfaceLists_h
+#define nephoscope_SurfaceLists_h
 
 #include "SurfaceLayers.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The surface as it is drawn: its cells with float texture coordinates, cover and places, cut where the texture wraps around. */
-#ifndef TexturedSurface_h
-#define TexturedSurface_h
+#ifndef nephoscope_TexturedSurface_h
+#define nephoscope_TexturedSurface_h
 
 #include "MeanChord.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The input arrays that a volume mapper reads, and its messages about arrays that cannot be drawn. */
-#ifndef ArraySelection_h
-#define ArraySelection_h
+#ifndef nephoscope_ArraySelection_h
+#define nephoscope_ArraySelection_h
 
 #include "ArrayNames.h"
 #include "ScalarSelection.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** An array on the GPU, which shaders read as ShaderArrays.h says: a buffer texture, or where these are small a 2-D texture. */
-#ifndef BufferTexture_h
-#define BufferTexture_h
+#ifndef nephoscope_BufferTexture_h
+#define nephoscope_BufferTexture_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkNew.h"

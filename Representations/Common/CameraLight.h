@@ -7,8 +7,8 @@
  *
  * P2 is the Legendre polynomial.
  */
-#ifndef CameraLight_h
-#define CameraLight_h
+#ifndef nephoscope_CameraLight_h
+#define nephoscope_CameraLight_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 

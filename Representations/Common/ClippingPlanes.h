@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The clipping planes of a mapper, for its shaders: of every ray only the part is seen that lies in front of all of them. */
-#ifndef ClippingPlanes_h
-#define ClippingPlanes_h
+#ifndef nephoscope_ClippingPlanes_h
+#define nephoscope_ClippingPlanes_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 

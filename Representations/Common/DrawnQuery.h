@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Reports whether any fragment was drawn in its scope, without counting. */
-#ifndef DrawnQuery_h
-#define DrawnQuery_h
+#ifndef nephoscope_DrawnQuery_h
+#define nephoscope_DrawnQuery_h
 
 #include "OpenGLFunctions.h"
 

@@ -4,8 +4,8 @@
  * A 32-bit float image in which translucent layers are blended, and which is then laid over the scene.
  * Hundreds of faint layers are lost or tinted in the 8-bit framebuffer of a window.
  */
-#ifndef FloatAccumulation_h
-#define FloatAccumulation_h
+#ifndef nephoscope_FloatAccumulation_h
+#define nephoscope_FloatAccumulation_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkNew.h"

@@ -4,8 +4,8 @@
  * Drawing between the opaque geometry and the picture: translucent objects are blended in a float image, which is then
  * composited over the scene. Depth is neither tested nor written: shaders look at the opaque depth themselves.
  */
-#ifndef FloatLayer_h
-#define FloatLayer_h
+#ifndef nephoscope_FloatLayer_h
+#define nephoscope_FloatLayer_h
 
 #include "FloatAccumulation.h"
 #include "OpaqueDepth.h"

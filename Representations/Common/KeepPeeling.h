@@ -5,8 +5,8 @@
  * does, so that where nothing but opaque things is behind, all surfaces but the front one are lost. A surface's mapper that calls this
  * before it draws makes the pass peel once more: it gives one pixel of the first peel's back the least alpha there is.
  */
-#ifndef KeepPeeling_h
-#define KeepPeeling_h
+#ifndef nephoscope_KeepPeeling_h
+#define nephoscope_KeepPeeling_h
 
 #include "OpenGLFunctions.h"
 #include "PeelingPass.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** What ShallowCopy() of a volume mapper copies beside its own settings: vtkAbstractMapper has the clipping planes alone. */
-#ifndef MapperSettings_h
-#define MapperSettings_h
+#ifndef nephoscope_MapperSettings_h
+#define nephoscope_MapperSettings_h
 
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkNew.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The depth at the centres of the pixels of a multisampled framebuffer: the mean of their samples. */
-#ifndef MeanDepth_h
-#define MeanDepth_h
+#ifndef nephoscope_MeanDepth_h
+#define nephoscope_MeanDepth_h
 
 #include <memory>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The volume of a medium and its opacity there, from which all mappers and hosts compute the default unit distance. */
-#ifndef MediumMeasures_h
-#define MediumMeasures_h
+#ifndef nephoscope_MediumMeasures_h
+#define nephoscope_MediumMeasures_h
 
 #include "MediumProjections.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** How much of a medium lies behind each place of three coarse pictures, seen along the axes: tells one that fills its bounds from a small dense one. */
-#ifndef MediumProjections_h
-#define MediumProjections_h
+#ifndef nephoscope_MediumProjections_h
+#define nephoscope_MediumProjections_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 

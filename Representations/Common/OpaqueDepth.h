@@ -3,8 +3,8 @@
 /**
  * A copy of the depth buffer as the opaque geometry left it, for shaders that end their rays there.
  */
-#ifndef OpaqueDepth_h
-#define OpaqueDepth_h
+#ifndef nephoscope_OpaqueDepth_h
+#define nephoscope_OpaqueDepth_h
 
 #include "MeanDepth.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The render passes that draw a prop: they leave their keys with it. */
-#ifndef PeelingPass_h
-#define PeelingPass_h
+#ifndef nephoscope_PeelingPass_h
+#define nephoscope_PeelingPass_h
 
 #include "vtkDualDepthPeelingPass.h"
 #include "vtkInformation.h"

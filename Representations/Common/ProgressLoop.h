@@ -6,8 +6,8 @@
  * A loop is cut into stretches of about 30 ms; between two of them the calling thread reports. The result of a loop does not
  * depend on where it was split. Without anybody to report to, it runs in one stretch.
  */
-#ifndef ProgressLoop_h
-#define ProgressLoop_h
+#ifndef nephoscope_ProgressLoop_h
+#define nephoscope_ProgressLoop_h
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"

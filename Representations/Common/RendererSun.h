@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The sun of a renderer, which haze without a sun of its own takes; and what the data of a scene tell in their field data.
-#ifndef RendererSun_h
-#define RendererSun_h
+#ifndef nephoscope_RendererSun_h
+#define nephoscope_RendererSun_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 

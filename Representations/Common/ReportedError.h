@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Errors of a mapper: each is reported once, not once per frame. */
-#ifndef ReportedError_h
-#define ReportedError_h
+#ifndef nephoscope_ReportedError_h
+#define nephoscope_ReportedError_h
 
 #include <string>
 

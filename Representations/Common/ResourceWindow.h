@@ -10,8 +10,8 @@
  *
  * It is declared after all that it releases, so that it goes first.
  */
-#ifndef ResourceWindow_h
-#define ResourceWindow_h
+#ifndef nephoscope_ResourceWindow_h
+#define nephoscope_ResourceWindow_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkSmartPointer.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Bounds of a medium without its stray parts: one particle far away must not set the lengths that all others are drawn by. */
-#ifndef RobustBounds_h
-#define RobustBounds_h
+#ifndef nephoscope_RobustBounds_h
+#define nephoscope_RobustBounds_h
 
 #include "MediumMeasures.h"
 

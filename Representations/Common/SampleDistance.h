@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** How far apart rays may be, in pixels, so that a picture is drawn within the time that its window allots. */
-#ifndef SampleDistance_h
-#define SampleDistance_h
+#ifndef nephoscope_SampleDistance_h
+#define nephoscope_SampleDistance_h
 
 #include <algorithm>
 #include <array>

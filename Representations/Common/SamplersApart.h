@@ -6,8 +6,8 @@
  * Samplers begin at unit 0. Two of different kinds at one unit make every draw an error (GL_INVALID_OPERATION), although the program may
  * read neither: a driver may count samplers as active in code that is never reached.
  */
-#ifndef SamplersApart_h
-#define SamplersApart_h
+#ifndef nephoscope_SamplersApart_h
+#define nephoscope_SamplersApart_h
 
 #include "OpenGLFunctions.h"
 

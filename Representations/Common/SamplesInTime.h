@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Draws with fewer samples of the image while the camera moves: as many as the window's DesiredUpdateRate leaves time for. */
-#ifndef SamplesInTime_h
-#define SamplesInTime_h
+#ifndef nephoscope_SamplesInTime_h
+#define nephoscope_SamplesInTime_h
 
 #include "SampleDistance.h"
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro

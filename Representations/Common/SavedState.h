@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** A guard for the OpenGL state that drawing changes. */
-#ifndef SavedState_h
-#define SavedState_h
+#ifndef nephoscope_SavedState_h
+#define nephoscope_SavedState_h
 
 #include "OpenGLFunctions.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Which scalar of a data array is meant, and how its values become numbers from 0 to 1 that float can hold. */
-#ifndef ScalarSelection_h
-#define ScalarSelection_h
+#ifndef nephoscope_ScalarSelection_h
+#define nephoscope_ScalarSelection_h
 
 #include "ProgressLoop.h"
 

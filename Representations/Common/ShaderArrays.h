@@ -7,8 +7,8 @@
  * They are buffer textures, which may be as small as 65,536 elements (GL_MAX_TEXTURE_BUFFER_SIZE). Where they are, arrays are 2-D textures
  * with rows of a power of two.
  */
-#ifndef ShaderArrays_h
-#define ShaderArrays_h
+#ifndef nephoscope_ShaderArrays_h
+#define nephoscope_ShaderArrays_h
 
 #include "OpenGLFunctions.h"
 

@@ -4,8 +4,8 @@
  * The text of a shader put together: a line `//NEPHOSCOPE::Name` in it is where the part of that name goes. Parts may name
  * parts that come later in the list.
  */
-#ifndef ShaderParts_h
-#define ShaderParts_h
+#ifndef nephoscope_ShaderParts_h
+#define nephoscope_ShaderParts_h
 
 #include "vtkShaderProgram.h"
 

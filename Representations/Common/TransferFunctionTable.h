@@ -12,8 +12,8 @@
  * Interval k lies between node k-1 and node k; interval 0 is all that lies below the first node and interval n all that lies above
  * the last, both constant.
  */
-#ifndef TransferFunctionTable_h
-#define TransferFunctionTable_h
+#ifndef nephoscope_TransferFunctionTable_h
+#define nephoscope_TransferFunctionTable_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 

@@ -6,8 +6,8 @@
  *
  * An attribute rather than an array indexed by gl_VertexID: Mesa's softpipe restarts the vertex count after some thousands.
  */
-#ifndef VertexNumbers_h
-#define VertexNumbers_h
+#ifndef nephoscope_VertexNumbers_h
+#define nephoscope_VertexNumbers_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkNew.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** From a renderer and a prop to the matrices and the eye that sorting and drawing need. */
-#ifndef ViewState_h
-#define ViewState_h
+#ifndef nephoscope_ViewState_h
+#define nephoscope_ViewState_h
 
 #include "Vector3.h"
 

@@ -7,8 +7,8 @@
  * then draw nothing. Volumes whose boxes are apart are in order exactly. Those that overlap are drawn in slices of depth (VolumeSlices.h),
  * unless their mappers draw them as one medium.
  */
-#ifndef VolumeOrder_h
-#define VolumeOrder_h
+#ifndef nephoscope_VolumeOrder_h
+#define nephoscope_VolumeOrder_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 

@@ -15,8 +15,8 @@
  * The pass lets the volumes of a scene overwrite each other; Deliver() lays them over each other in the order in which they
  * are drawn, as without peeling.
  */
-#ifndef VolumePeel_h
-#define VolumePeel_h
+#ifndef nephoscope_VolumePeel_h
+#define nephoscope_VolumePeel_h
 
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkNew.h"

@@ -7,8 +7,8 @@
  * medium: optical depths add, and each shines in proportion to its own. With colours and extinctions that are constant in a slice this is
  * exact; where they change, the error falls with the square of the number of slices.
  */
-#ifndef VolumeSlices_h
-#define VolumeSlices_h
+#ifndef nephoscope_VolumeSlices_h
+#define nephoscope_VolumeSlices_h
 
 #include "FloatAccumulation.h"
 #include "OpaqueDepth.h"

@@ -3,8 +3,8 @@
 /**
  * Where the ray of each pixel lies in the boxes of two volumes or more, which is where it has to be drawn in slices (VolumeSlices.h).
  */
-#ifndef VolumeSpans_h
-#define VolumeSpans_h
+#ifndef nephoscope_VolumeSpans_h
+#define nephoscope_VolumeSpans_h
 
 #include "FloatAccumulation.h"
 #include "vtkNew.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef WholeViewport_h
-#define WholeViewport_h
+#ifndef nephoscope_WholeViewport_h
+#define nephoscope_WholeViewport_h
 
 #include "OpenGLFunctions.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** What ties a haze to one renderer: it lives in the renderer's information and acts whenever the renderer starts and ends to draw. */
-#ifndef HazeLink_h
-#define HazeLink_h
+#ifndef nephoscope_HazeLink_h
+#define nephoscope_HazeLink_h
 
 #include "HazePlacement.h"
 #include "HazeShaderPass.h"

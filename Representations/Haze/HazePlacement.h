@@ -10,8 +10,8 @@
  * The visibility left open is 24.5 displayed scale heights: straight down, 15 % of the light is the air's, and 196 km are those of a clear day.
  * Over flat ground under the scene it is at least 5.7 widths of the scene, so that a thin scene is visible from the side.
  */
-#ifndef HazePlacement_h
-#define HazePlacement_h
+#ifndef nephoscope_HazePlacement_h
+#define nephoscope_HazePlacement_h
 
 #include "HazeScene.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The input for placing haze: the bounds of a renderer's scene, and the field data of vtkGlobeGrid in it. */
-#ifndef HazeScene_h
-#define HazeScene_h
+#ifndef nephoscope_HazeScene_h
+#define nephoscope_HazeScene_h
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
  * keys of the props while the renderer draws. Every fragment is hazed where it is, opaque or translucent, and before layers are peeled,
  * blended or composited between ranks.
  */
-#ifndef HazeShaderPass_h
-#define HazeShaderPass_h
+#ifndef nephoscope_HazeShaderPass_h
+#define nephoscope_HazeShaderPass_h
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkTimeStamp.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Shadows of the lit clouds in a renderer, as a texture while it draws haze. */
-#ifndef HazeShadows_h
-#define HazeShadows_h
+#ifndef nephoscope_HazeShadows_h
+#define nephoscope_HazeShadows_h
 
 #include "ResourceWindow.h"
 #include "SunlightMap.h"

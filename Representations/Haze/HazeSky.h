@@ -4,8 +4,8 @@
  * Haze in front of the background, in the pixels that nothing opaque covers, whenever it is drawn among the opaque objects.
  * On several ranks one of them draws it, as the farthest layer of its picture.
  */
-#ifndef HazeSky_h
-#define HazeSky_h
+#ifndef nephoscope_HazeSky_h
+#define nephoscope_HazeSky_h
 
 #include "ResourceWindow.h"
 

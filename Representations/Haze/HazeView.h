@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The haze of a renderer as its shaders take it. For mappers with programs of their own; those of vtkOpenGLPolyDataMapper are hazed unasked. */
-#ifndef HazeView_h
-#define HazeView_h
+#ifndef nephoscope_HazeView_h
+#define nephoscope_HazeView_h
 
 #include "vtkNephoscopeRepresentationsHazeModule.h" // for export macro
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The fraction of the sun's beam that lit clouds let through to every place: on a lattice whose third axis points towards the sun. */
-#ifndef SunlightMap_h
-#define SunlightMap_h
+#ifndef nephoscope_SunlightMap_h
+#define nephoscope_SunlightMap_h
 
 #include "HazeScene.h"
 

@@ -5,8 +5,8 @@
  * adaptive Gauss-Kronrod quadrature of the emission, the closed form with erf, and a series in spherical Bessel functions.
  * Slow, and accurate to about 1e-15 of the weights.
  */
-#ifndef SegmentReference_h
-#define SegmentReference_h
+#ifndef nephoscope_SegmentReference_h
+#define nephoscope_SegmentReference_h
 
 #include <cmath>
 

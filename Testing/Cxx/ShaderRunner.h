@@ -6,8 +6,8 @@
  *
  * Declare such a test with nephoscope_add_shader_test. Without a display it exits with 125.
  */
-#ifndef ShaderRunner_h
-#define ShaderRunner_h
+#ifndef nephoscope_ShaderRunner_h
+#define nephoscope_ShaderRunner_h
 
 #include "OpenGLFunctions.h"
 #include "ShaderArrays.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Small datasets whose volume, scalars and topology are known. */
-#ifndef TestGrids_h
-#define TestGrids_h
+#ifndef nephoscope_TestGrids_h
+#define nephoscope_TestGrids_h
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

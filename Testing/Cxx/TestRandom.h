@@ -4,8 +4,8 @@
  * Random numbers for property tests. The seed is fixed, so that a run can be repeated, and printed; the environment variable
  * NEPHOSCOPE_TEST_SEED replaces it.
  */
-#ifndef TestRandom_h
-#define TestRandom_h
+#ifndef nephoscope_TestRandom_h
+#define nephoscope_TestRandom_h
 
 #include <array>
 #include <cmath>

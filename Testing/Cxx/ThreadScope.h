@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Runs a function with so many threads, whatever VTK's own default. */
-#ifndef ThreadScope_h
-#define ThreadScope_h
+#ifndef nephoscope_ThreadScope_h
+#define nephoscope_ThreadScope_h
 
 #include "vtkSMPTools.h"
 

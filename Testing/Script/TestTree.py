@@ -292,11 +292,20 @@ def check_imports(files):
                 yield f"{path.relative_to(TOP)}:{line}: {name} is imported but not used"
 
 
+def check_guards(files):
+    """Include guards are those of VTK for its classes, and have the project's name for other headers."""
+    for path in files:
+        if path.suffix == ".h":
+            guard = f"{path.stem}_h" if path.stem.startswith("vtk") else f"nephoscope_{path.stem}_h"
+            if f"#ifndef {guard}\n#define {guard}\n" not in text_of(path):
+                yield f"{path.relative_to(TOP)}: its include guard is not {guard}"
+
+
 def main():
     files = tracked_files()
     problems = []
     for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_installed, check_references, check_test_targets, check_changelog, check_sentences,
-                  check_layers, check_include_paths, check_readmes, check_imports):
+                  check_layers, check_include_paths, check_readmes, check_imports, check_guards):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
     return 1 if problems or not files else 0

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Flows given by formulas, and what must be true of every flow volume.
-#ifndef SmokeChecks_h
-#define SmokeChecks_h
+#ifndef nephoscope_SmokeChecks_h
+#define nephoscope_SmokeChecks_h
 
 #include "SteadyVolume.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Polyhedra with volumes known in closed form. */
-#ifndef PolyhedronExamples_h
-#define PolyhedronExamples_h
+#ifndef nephoscope_PolyhedronExamples_h
+#define nephoscope_PolyhedronExamples_h
 
 #include "PolyhedronSurface.h"
 

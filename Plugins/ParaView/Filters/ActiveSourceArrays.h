@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Arrays that a filter has taken from the active source, where a script gives it another input. */
-#ifndef ActiveSourceArrays_h
-#define ActiveSourceArrays_h
+#ifndef nephoscope_ActiveSourceArrays_h
+#define nephoscope_ActiveSourceArrays_h
 
 class vtkSMProxy;
 

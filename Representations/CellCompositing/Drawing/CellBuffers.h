@@ -3,8 +3,8 @@
 /**
  * The GPU data that every method of drawing cells needs: points with their scalars, scalars of cells, and the transfer functions.
  */
-#ifndef CellBuffers_h
-#define CellBuffers_h
+#ifndef nephoscope_CellBuffers_h
+#define nephoscope_CellBuffers_h
 
 #include "BufferTexture.h"
 #include "TransferFunctionTable.h"

@@ -6,8 +6,8 @@
  * Everything the shaders read is in buffer textures: geometry and transfer functions are uploaded when they change, the
  * drawing order of projected cells whenever the view does.
  */
-#ifndef CellCompositingPass_h
-#define CellCompositingPass_h
+#ifndef nephoscope_CellCompositingPass_h
+#define nephoscope_CellCompositingPass_h
 
 #include "CellBuffers.h"
 #include "CellDrawing.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Input of the methods of drawing cells: the view, the options, and their common GPU data. */
-#ifndef CellDrawing_h
-#define CellDrawing_h
+#ifndef nephoscope_CellDrawing_h
+#define nephoscope_CellDrawing_h
 
 #include "CellMethod.h"
 #include "ClippingPlanes.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** How the cells become a picture; the values of vtkCellCompositingMapper::MethodType. */
-#ifndef CellMethod_h
-#define CellMethod_h
+#ifndef nephoscope_CellMethod_h
+#define nephoscope_CellMethod_h
 
 namespace nephoscope
 {

@@ -7,8 +7,8 @@
  * volume property. A counter that grows with each change numbers the versions of all stages, so that a stage is out of date if a source
  * has a greater number, and the drawing pass knows what to upload.
  */
-#ifndef CellScene_h
-#define CellScene_h
+#ifndef nephoscope_CellScene_h
+#define nephoscope_CellScene_h
 
 #include "BoundaryFaces.h"
 #include "CellGeometry.h"

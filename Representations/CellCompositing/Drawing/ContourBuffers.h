@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Surfaces inside the volume, on the GPU: contours, and polygons in faces of cells. */
-#ifndef ContourBuffers_h
-#define ContourBuffers_h
+#ifndef nephoscope_ContourBuffers_h
+#define nephoscope_ContourBuffers_h
 
 #include "BufferTexture.h"
 

@@ -6,8 +6,8 @@
  *
  * A point lies above a value when its scalar is at least the value. All is made again only when its source changed.
  */
-#ifndef ContourScene_h
-#define ContourScene_h
+#ifndef nephoscope_ContourScene_h
+#define nephoscope_ContourScene_h
 
 #include "CellGeometry.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The user's settings for contour surfaces and layers; vtkCellCompositingMapper describes them. */
-#ifndef ContourSettings_h
-#define ContourSettings_h
+#ifndef nephoscope_ContourSettings_h
+#define nephoscope_ContourSettings_h
 
 #include "CellPolygons.h"
 

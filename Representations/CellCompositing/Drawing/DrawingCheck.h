@@ -4,8 +4,8 @@
  * Whether this OpenGL draws cells correctly: it compares a small known tetrahedron and a small known cell of a grid with the closed form. Drivers
  * have differences that no error reports. It runs once per driver and method in a process, and takes some milliseconds and the compilation of shaders.
  */
-#ifndef DrawingCheck_h
-#define DrawingCheck_h
+#ifndef nephoscope_DrawingCheck_h
+#define nephoscope_DrawingCheck_h
 
 #include <string>
 

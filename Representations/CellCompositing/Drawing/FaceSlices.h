@@ -6,8 +6,8 @@
  * Where a ray enters the mesh a hundred times, the next of a hundred faces has to be found a hundred times. Slice by slice from front to
  * back, only the faces that reach into the slice are tested, so that all layers together cost about as much as all faces.
  */
-#ifndef FaceSlices_h
-#define FaceSlices_h
+#ifndef nephoscope_FaceSlices_h
+#define nephoscope_FaceSlices_h
 
 #include "BoundaryFaces.h"
 

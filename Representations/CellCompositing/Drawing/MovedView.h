@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The view from where the rays start instead of from the eye. */
-#ifndef MovedView_h
-#define MovedView_h
+#ifndef nephoscope_MovedView_h
+#define nephoscope_MovedView_h
 
 #include "CellDrawing.h"
 #include "EyeTetrahedron.h"

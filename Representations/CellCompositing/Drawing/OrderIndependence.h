@@ -7,8 +7,8 @@
  * and a product has no order (MaxCrawfisBecker1993, section 6: smoke). It does not matter either whether the cells overlap in
  * space: extinctions add up, and transmittances multiply.
  */
-#ifndef OrderIndependence_h
-#define OrderIndependence_h
+#ifndef nephoscope_OrderIndependence_h
+#define nephoscope_OrderIndependence_h
 
 #include "TransferFunctionTable.h"
 

@@ -4,8 +4,8 @@
  * The polygons of the input that lie in faces of its cells, ready for the shaders: for each tetrahedron the surfaces in its faces, for each
  * surface its colour and its normals. All is made again only when its source changed.
  */
-#ifndef PolygonScene_h
-#define PolygonScene_h
+#ifndef nephoscope_PolygonScene_h
+#define nephoscope_PolygonScene_h
 
 #include "CellPolygons.h"
 

@@ -9,8 +9,8 @@
  * none is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh. The cost of a layer is proportional to the
  * pixels that have it, because a depth test ends the others. Triangles behind opaque objects are never drawn.
  */
-#ifndef RayCells_h
-#define RayCells_h
+#ifndef nephoscope_RayCells_h
+#define nephoscope_RayCells_h
 
 #include "BoundaryFaces.h"
 #include "BufferTexture.h"

@@ -5,8 +5,8 @@
  *
  * After some layers, the triangles are drawn in slices of depth (FaceSlices.h).
  */
-#ifndef RayEntries_h
-#define RayEntries_h
+#ifndef nephoscope_RayEntries_h
+#define nephoscope_RayEntries_h
 
 #include "BoundaryFaces.h"
 #include "CoveredPixels.h"

@@ -6,8 +6,8 @@
  * The ray at p = (x, y) in device coordinates goes through a point and in a direction that are both linear in p. The point lies at the
  * depth of the data's centre, not at the eye: near the data, floats resolve the distance between a ray and a vertex.
  */
-#ifndef RayGeometry_h
-#define RayGeometry_h
+#ifndef nephoscope_RayGeometry_h
+#define nephoscope_RayGeometry_h
 
 #include "CellDrawing.h"
 

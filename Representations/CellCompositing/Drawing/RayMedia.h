@@ -8,8 +8,8 @@
  * begin anew at their last faces and come to the place without integrating. A round therefore costs little where meshes are convex or
  * their gaps few: there is one round more than re-entries.
  */
-#ifndef RayMedia_h
-#define RayMedia_h
+#ifndef nephoscope_RayMedia_h
+#define nephoscope_RayMedia_h
 
 #include "vtkNew.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The fragment shaders of rays, put together from their parts; constants are still to be defined (specializedShader). */
-#ifndef RayShaders_h
-#define RayShaders_h
+#ifndef nephoscope_RayShaders_h
+#define nephoscope_RayShaders_h
 
 #include <string>
 

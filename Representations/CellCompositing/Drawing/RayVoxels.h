@@ -6,8 +6,8 @@
  * A ray skips invisible cells, by the distance to the next visible one (ClearDistances.h). Polygons, layers, light that depends on the
  * direction of view and, in tetrahedra, contour surfaces and an opacity array are left to RayCells.
  */
-#ifndef RayVoxels_h
-#define RayVoxels_h
+#ifndef nephoscope_RayVoxels_h
+#define nephoscope_RayVoxels_h
 
 #include "BoundaryFaces.h"
 #include "BufferTexture.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The lights of a renderer in view coordinates, as shaders take them. */
-#ifndef SceneLights_h
-#define SceneLights_h
+#ifndef nephoscope_SceneLights_h
+#define nephoscope_SceneLights_h
 
 #include "vtkCamera.h"
 #include "vtkCollection.h"

@@ -4,8 +4,8 @@
  * The text of a shader several times in one: every name that it declares outside of functions (uniforms, variables, constants, functions,
  * structures and macros) gets a number, "points_1". Names that the text does not declare itself are common to all.
  */
-#ifndef ShaderInstance_h
-#define ShaderInstance_h
+#ifndef nephoscope_ShaderInstance_h
+#define nephoscope_ShaderInstance_h
 
 #include <string>
 

@@ -4,8 +4,8 @@
  * The text of shaders: options become constants, so that disabled options cost nothing, and shared parts are inserted
  * where the shader names them. The window's shader cache keeps the variants.
  */
-#ifndef ShaderText_h
-#define ShaderText_h
+#ifndef nephoscope_ShaderText_h
+#define nephoscope_ShaderText_h
 
 #include "ContourSurfacesShader.h"
 #include "FaceNumberShader.h"

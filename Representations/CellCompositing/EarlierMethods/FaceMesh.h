@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The faces of tetrahedra, each once, with the tetrahedra on its two sides. */
-#ifndef FaceMesh_h
-#define FaceMesh_h
+#ifndef nephoscope_FaceMesh_h
+#define nephoscope_FaceMesh_h
 
 #include "CellGeometry.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Brings the opaque depth to FaceSweep and its picture to OpenGL. */
-#ifndef FacePass_h
-#define FacePass_h
+#ifndef nephoscope_FacePass_h
+#define nephoscope_FacePass_h
 
 #include "CellDrawing.h"
 #include "FaceMesh.h"

@@ -6,8 +6,8 @@
  * Faces are cut at the near plane, and the cross-sections of the tetrahedra that reach through it are added, so that what
  * the near plane leaves is a closed volume again.
  */
-#ifndef FaceProjection_h
-#define FaceProjection_h
+#ifndef nephoscope_FaceProjection_h
+#define nephoscope_FaceProjection_h
 
 #include "FaceMesh.h"
 

@@ -14,8 +14,8 @@
  * the gaps and before the first face; multiplied into the length, sum count (z_last - z_now) = sum_leaving z - sum_entering z in
  * any order, for volumes with holes as well.
  */
-#ifndef FaceSegment_h
-#define FaceSegment_h
+#ifndef nephoscope_FaceSegment_h
+#define nephoscope_FaceSegment_h
 
 #include "OpticalSegment.h"
 

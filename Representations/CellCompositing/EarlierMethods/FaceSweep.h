@@ -12,8 +12,8 @@
  *   points ─► screen ─► faces cut at the near plane ─► sorted ─► one list per tile ─► tiles
  *             └────────────── FaceProjection ───────────────┘    └───── FaceSweep ──────┘
  */
-#ifndef FaceSweep_h
-#define FaceSweep_h
+#ifndef nephoscope_FaceSweep_h
+#define nephoscope_FaceSweep_h
 
 #include "FaceProjection.h"
 #include "TransferFunctionTable.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Table of 1 - exp(-u), in which the opacity of an optical depth u may be looked up (SteinBeckerMax1994). */
-#ifndef OpacityTable_h
-#define OpacityTable_h
+#ifndef nephoscope_OpacityTable_h
+#define nephoscope_OpacityTable_h
 
 #include <cmath>
 #include <vector>

@@ -4,8 +4,8 @@
  * Draws tetrahedra one after another, in a given order, each over the pixels that it covers: its back faces with the exact integral of
  * each pixel's ray, or the triangles of TrianglePass.h. Neither surfaces between the cells nor parts between peeled surfaces.
  */
-#ifndef ProjectedCells_h
-#define ProjectedCells_h
+#ifndef nephoscope_ProjectedCells_h
+#define nephoscope_ProjectedCells_h
 
 #include "BufferTexture.h"
 #include "VertexNumbers.h"

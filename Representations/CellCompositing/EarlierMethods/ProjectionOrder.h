@@ -9,8 +9,8 @@
  * - Centroid: by the distance of the centroid from the eye.
  * - None: as stored, which is correct for a medium of one colour.
  */
-#ifndef ProjectionOrder_h
-#define ProjectionOrder_h
+#ifndef nephoscope_ProjectionOrder_h
+#define nephoscope_ProjectionOrder_h
 
 #include "FaceNeighbors.h"
 

@@ -4,8 +4,8 @@
  * Parts of CellCompositingPass for drawing tetrahedra as fans of triangles (ShirleyTuchman1990) instead of back faces:
  * other shaders, a table of opacities, and a test for tetrahedra that cannot be drawn in this way.
  */
-#ifndef TrianglePass_h
-#define TrianglePass_h
+#ifndef nephoscope_TrianglePass_h
+#define nephoscope_TrianglePass_h
 
 #include "CellMethod.h"
 

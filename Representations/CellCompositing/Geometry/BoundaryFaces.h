@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Triangles that bound a mesh of tetrahedra, where rays enter it. */
-#ifndef BoundaryFaces_h
-#define BoundaryFaces_h
+#ifndef nephoscope_BoundaryFaces_h
+#define nephoscope_BoundaryFaces_h
 
 #include "CellGeometry.h"
 #include "ChessboardGrid.h"

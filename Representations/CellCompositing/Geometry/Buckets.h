@@ -4,8 +4,8 @@
  * Items thrown into buckets by several threads: counted, then filled. Within a bucket they lie in no particular order; who wants
  * one sorts them, and the buckets can be sorted in parallel.
  */
-#ifndef Buckets_h
-#define Buckets_h
+#ifndef nephoscope_Buckets_h
+#define nephoscope_Buckets_h
 
 #include "ProgressLoop.h"
 

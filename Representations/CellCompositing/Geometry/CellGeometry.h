@@ -7,8 +7,8 @@
  * Built once per input and array, in three passes: count the tetrahedra of each cell, sum the counts, fill. All
  * passes run in parallel and their result does not depend on the number of threads.
  */
-#ifndef CellGeometry_h
-#define CellGeometry_h
+#ifndef nephoscope_CellGeometry_h
+#define nephoscope_CellGeometry_h
 
 #include "ChessboardGrid.h"
 #include "GridLattice.h"

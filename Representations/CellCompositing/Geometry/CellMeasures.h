@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The size of a dataset's 3-D cells, and how a scalar fills them. */
-#ifndef CellMeasures_h
-#define CellMeasures_h
+#ifndef nephoscope_CellMeasures_h
+#define nephoscope_CellMeasures_h
 
 #include "MediumMeasures.h"
 #include "RobustBounds.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Where a ray through cells and surfaces in them has lost a given part of its light: what a user who points at a medium sees there. */
-#ifndef CellPick_h
-#define CellPick_h
+#ifndef nephoscope_CellPick_h
+#define nephoscope_CellPick_h
 
 #include "CellGeometry.h"
 #include "TransferFunctionTable.h"

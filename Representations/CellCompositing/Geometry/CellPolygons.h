@@ -8,8 +8,8 @@
  * tetrahedra. Each belongs to one tetrahedron that has it as a face, the larger one: the other may be too flat to be drawn. Nothing lies between this tetrahedron and the
  * surface. Drawing the surface directly before or after the tetrahedron is therefore correct in any correct order of tetrahedra.
  */
-#ifndef CellPolygons_h
-#define CellPolygons_h
+#ifndef nephoscope_CellPolygons_h
+#define nephoscope_CellPolygons_h
 
 #include "CellGeometry.h"
 

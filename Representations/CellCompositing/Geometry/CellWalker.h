@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The cells of a dataset one by one: which of them are drawn, and their tetrahedra. */
-#ifndef CellWalker_h
-#define CellWalker_h
+#ifndef nephoscope_CellWalker_h
+#define nephoscope_CellWalker_h
 
 #include "CellGeometry.h"
 #include "TetrahedronSource.h"

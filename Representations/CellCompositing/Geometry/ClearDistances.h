@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The distance of each cell of a grid from the next visible one: the number of cells that a ray may skip. */
-#ifndef ClearDistances_h
-#define ClearDistances_h
+#ifndef nephoscope_ClearDistances_h
+#define nephoscope_ClearDistances_h
 
 #include "ChessboardGrid.h"
 

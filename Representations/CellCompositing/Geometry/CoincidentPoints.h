@@ -9,8 +9,8 @@
  *  - by no more than an eighth of the shortest edge of a tetrahedron at either of them, so that no tetrahedron ever loses its extent, and
  *    thin layers stay what they are.
  */
-#ifndef CoincidentPoints_h
-#define CoincidentPoints_h
+#ifndef nephoscope_CoincidentPoints_h
+#define nephoscope_CoincidentPoints_h
 
 #include "CellGeometry.h"
 #include "ProgressLoop.h"

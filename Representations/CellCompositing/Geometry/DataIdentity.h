@@ -7,8 +7,8 @@
  * changed, and code that writes into an array may modify only the dataset's time. Where a time has moved, a fingerprint of the
  * contents decides, which takes a hundredth of the time in which the mesh would be made again.
  */
-#ifndef DataIdentity_h
-#define DataIdentity_h
+#ifndef nephoscope_DataIdentity_h
+#define nephoscope_DataIdentity_h
 
 #include "ScalarSelection.h"
 

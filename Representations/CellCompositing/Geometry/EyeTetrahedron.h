@@ -7,8 +7,8 @@
  * tetrahedron holds the eye. All rays therefore start at a position that lies inside one of the tetrahedra that touch the eye, by
  * `eyeClearance` of the mesh's radius from each of its faces: too near to be visible, yet far enough to distinguish the sides in float.
  */
-#ifndef EyeTetrahedron_h
-#define EyeTetrahedron_h
+#ifndef nephoscope_EyeTetrahedron_h
+#define nephoscope_EyeTetrahedron_h
 
 #include "CellGeometry.h"
 #include "TetrahedronNeighbors.h"

@@ -7,8 +7,8 @@
  * points fit together. Points and faces are thrown into buckets and meet their equals there; each bucket is sorted, so that nothing
  * depends on the order in which threads filled it.
  */
-#ifndef FaceNeighbors_h
-#define FaceNeighbors_h
+#ifndef nephoscope_FaceNeighbors_h
+#define nephoscope_FaceNeighbors_h
 
 #include "CellGeometry.h"
 #include "ProgressLoop.h"

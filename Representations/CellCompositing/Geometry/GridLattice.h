@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** A structured grid with evenly spaced points, such as an image has: there, the cell at a position is a matter of arithmetic. */
-#ifndef GridLattice_h
-#define GridLattice_h
+#ifndef nephoscope_GridLattice_h
+#define nephoscope_GridLattice_h
 
 #include "ChessboardGrid.h"
 #include "TetrahedronRay.h"

@@ -6,8 +6,8 @@
  *
  * Vertices are numbered by bits (x = 1, y = 2, z = 4), faces by axis and end: 2 * axis + end.
  */
-#ifndef HexahedronCells_h
-#define HexahedronCells_h
+#ifndef nephoscope_HexahedronCells_h
+#define nephoscope_HexahedronCells_h
 
 #include "HexahedronForm.h"
 

@@ -7,8 +7,8 @@
  * face lies: which of its vertices is that of the first end of both axes of the face in this cell, and along which axes of the neighbour
  * these two run.
  */
-#ifndef HexahedronNeighbors_h
-#define HexahedronNeighbors_h
+#ifndef nephoscope_HexahedronNeighbors_h
+#define nephoscope_HexahedronNeighbors_h
 
 #include "CellGeometry.h"
 #include "TetrahedronNeighbors.h"

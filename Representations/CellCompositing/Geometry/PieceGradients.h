@@ -6,8 +6,8 @@
  * Sums over the edges of cells add up. At the places that several pieces have in common, each process sends the sums of its own cells to the others, and adds those
  * that it gets. Ghost cells do not count: another process sends their sums.
  */
-#ifndef PieceGradients_h
-#define PieceGradients_h
+#ifndef nephoscope_PieceGradients_h
+#define nephoscope_PieceGradients_h
 
 #include "PointGradients.h"
 

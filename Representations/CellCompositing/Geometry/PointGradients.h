@@ -9,8 +9,8 @@
  * continuous over the seam of a globe and between blocks. Where the neighbours do not span space (a tetrahedron that is nearly flat), the
  * gradient is 0.
  */
-#ifndef PointGradients_h
-#define PointGradients_h
+#ifndef nephoscope_PointGradients_h
+#define nephoscope_PointGradients_h
 
 #include "Vector3.h"
 

@@ -5,8 +5,8 @@
  *
  * Cells of the input may change in place without notice. Numbers that no point has are therefore read as 0.
  */
-#ifndef TetrahedronList_h
-#define TetrahedronList_h
+#ifndef nephoscope_TetrahedronList_h
+#define nephoscope_TetrahedronList_h
 
 #include "vtkSmartPointer.h"
 

@@ -12,8 +12,8 @@
  * Coincident points (CoincidentPoints.h) with equal values become one point. Where values jump between coincident points, each
  * side keeps its own values and its own face: a ray that leaves through one face continues from the other.
  */
-#ifndef TetrahedronNeighbors_h
-#define TetrahedronNeighbors_h
+#ifndef nephoscope_TetrahedronNeighbors_h
+#define nephoscope_TetrahedronNeighbors_h
 
 #include "CellGeometry.h"
 

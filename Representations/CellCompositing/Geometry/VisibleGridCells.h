@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Which cells of a structured grid can be seen: the number of their tetrahedra, and the box that holds them. */
-#ifndef VisibleGridCells_h
-#define VisibleGridCells_h
+#ifndef nephoscope_VisibleGridCells_h
+#define nephoscope_VisibleGridCells_h
 
 #include "BoundaryFaces.h"
 #include "CellGeometry.h"

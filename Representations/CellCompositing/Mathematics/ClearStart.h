@@ -7,8 +7,8 @@
  * the inscribed sphere lies r = 1 / sum(1 / h_i) inside of each. Between the eye and that centre all four distances change linearly, so the
  * first point where all reach the clearance wanted, or half of r in a smaller tetrahedron, is known.
  */
-#ifndef ClearStart_h
-#define ClearStart_h
+#ifndef nephoscope_ClearStart_h
+#define nephoscope_ClearStart_h
 
 #include "TetrahedronRay.h"
 

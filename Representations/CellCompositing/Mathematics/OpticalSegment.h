@@ -13,8 +13,8 @@
  *
  * shaders/OpticalSegment.glsl is the same algorithm; TestOpticalSegmentShader compares the two.
  */
-#ifndef OpticalSegment_h
-#define OpticalSegment_h
+#ifndef nephoscope_OpticalSegment_h
+#define nephoscope_OpticalSegment_h
 
 #include <algorithm>
 #include <cmath>

@@ -15,8 +15,8 @@
  *
  * shaders/CellCompositing.geom.glsl and .frag.glsl are the same algorithm.
  */
-#ifndef TetrahedronRay_h
-#define TetrahedronRay_h
+#ifndef nephoscope_TetrahedronRay_h
+#define nephoscope_TetrahedronRay_h
 
 #include "Tetrahedron.h"
 

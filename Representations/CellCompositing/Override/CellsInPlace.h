@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A cell compositing mapper that draws in place of another volume mapper, with its input and settings.
-#ifndef CellsInPlace_h
-#define CellsInPlace_h
+#ifndef nephoscope_CellsInPlace_h
+#define nephoscope_CellsInPlace_h
 
 #include "CellsInOrder.h"
 #include "MapperSettings.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** What contour surfaces on several ranks need of the cells of all of them: the range of values, and normals. */
-#ifndef RankContours_h
-#define RankContours_h
+#ifndef nephoscope_RankContours_h
+#define nephoscope_RankContours_h
 
 class vtkDataSet;
 

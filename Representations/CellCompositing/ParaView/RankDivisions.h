@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** How several ranks divide unstructured hexahedra in the same way as one rank that has all of them. */
-#ifndef RankDivisions_h
-#define RankDivisions_h
+#ifndef nephoscope_RankDivisions_h
+#define nephoscope_RankDivisions_h
 
 class vtkUnstructuredGrid;
 

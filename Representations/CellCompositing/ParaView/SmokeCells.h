@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Smoke (SmokeData.h) over several ranks: whether there is any, and how thick it is. */
-#ifndef SmokeCells_h
-#define SmokeCells_h
+#ifndef nephoscope_SmokeCells_h
+#define nephoscope_SmokeCells_h
 
 class vtkDataSet;
 

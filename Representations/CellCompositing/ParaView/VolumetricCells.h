@@ -3,8 +3,8 @@
 /**
  * The changes that the Cell Compositing representation makes to its input before it passes it to the view.
  */
-#ifndef VolumetricCells_h
-#define VolumetricCells_h
+#ifndef nephoscope_VolumetricCells_h
+#define nephoscope_VolumetricCells_h
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

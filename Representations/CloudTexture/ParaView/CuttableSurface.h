@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** What surfaces need so that the view can cut them between ranks and put the pieces together. */
-#ifndef CuttableSurface_h
-#define CuttableSurface_h
+#ifndef nephoscope_CuttableSurface_h
+#define nephoscope_CuttableSurface_h
 
 class vtkPolyData;
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Cells of other ranks beside those of this one: the outer surface of a piece has no walls where it meets other pieces. */
-#ifndef NeighborCells_h
-#define NeighborCells_h
+#ifndef nephoscope_NeighborCells_h
+#define nephoscope_NeighborCells_h
 
 #include "vtkSmartPointer.h"
 

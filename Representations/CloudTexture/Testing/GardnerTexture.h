@@ -4,8 +4,8 @@
  * The texture of clouds: a sum of cosines whose phases are shifted to and fro (Gardner1985, as in MaxCrawfisBecker1993 section 4):
  * GardnerWaves.h. The variance of the sum is 1, its mean 0.
  */
-#ifndef GardnerTexture_h
-#define GardnerTexture_h
+#ifndef nephoscope_GardnerTexture_h
+#define nephoscope_GardnerTexture_h
 
 #include "CoverageThreshold.h"
 

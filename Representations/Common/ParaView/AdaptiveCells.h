@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Adaptive meshes as cells: of AMR data and hyper tree grids those cells that no finer one covers. */
-#ifndef AdaptiveCells_h
-#define AdaptiveCells_h
+#ifndef nephoscope_AdaptiveCells_h
+#define nephoscope_AdaptiveCells_h
 
 #include "vtkSmartPointer.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** One dataset of all that counts in a composite one. */
-#ifndef DataBlocks_h
-#define DataBlocks_h
+#ifndef nephoscope_DataBlocks_h
+#define nephoscope_DataBlocks_h
 
 #include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 #include "vtkSmartPointer.h"

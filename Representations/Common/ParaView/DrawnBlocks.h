@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Which blocks of a composite dataset are drawn: those with the arrays that decide about colour and opacity, where any has them. */
-#ifndef DrawnBlocks_h
-#define DrawnBlocks_h
+#ifndef nephoscope_DrawnBlocks_h
+#define nephoscope_DrawnBlocks_h
 
 #include "vtkSmartPointer.h"
 

@@ -4,8 +4,8 @@
  * Data in the place that a display's Position, Orientation, Scale and Origin give them. ParaView divides data among ranks, and orders
  * the ranks, by the places that data have without these.
  */
-#ifndef MovedData_h
-#define MovedData_h
+#ifndef nephoscope_MovedData_h
+#define nephoscope_MovedData_h
 
 #include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 #include "vtkSmartPointer.h"

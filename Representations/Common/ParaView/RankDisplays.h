@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Ranks that cannot draw, because they have no display. */
-#ifndef RankDisplays_h
-#define RankDisplays_h
+#ifndef nephoscope_RankDisplays_h
+#define nephoscope_RankDisplays_h
 
 #include <string>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Exchange of each rank with each other one. */
-#ifndef RankExchange_h
-#define RankExchange_h
+#ifndef nephoscope_RankExchange_h
+#define nephoscope_RankExchange_h
 
 #include "vtkMultiProcessController.h"
 #include "vtkType.h"

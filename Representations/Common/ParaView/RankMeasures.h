@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Measures of a medium, and ranges of arrays, of all ranks together. All are collective. */
-#ifndef RankMeasures_h
-#define RankMeasures_h
+#ifndef nephoscope_RankMeasures_h
+#define nephoscope_RankMeasures_h
 
 #include "MediumMeasures.h"
 #include "RobustBounds.h"

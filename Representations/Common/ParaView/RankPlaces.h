@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The points that pieces of a mesh on several ranks have in common. */
-#ifndef RankPlaces_h
-#define RankPlaces_h
+#ifndef nephoscope_RankPlaces_h
+#define nephoscope_RankPlaces_h
 
 #include "Vector3.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The regions of space in which ranks draw, one each, where a view divides the data among them. */
-#ifndef RankRegions_h
-#define RankRegions_h
+#ifndef nephoscope_RankRegions_h
+#define nephoscope_RankRegions_h
 
 #include "vtkNephoscopeParaViewCommonModule.h" // for export macro
 

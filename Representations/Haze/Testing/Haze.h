@@ -6,8 +6,8 @@
  *
  * All lengths are in scale heights. Nothing here overflows or cancels in 32-bit float; shaders/Haze.glsl is the same for shaders.
  */
-#ifndef Haze_h
-#define Haze_h
+#ifndef nephoscope_Haze_h
+#define nephoscope_Haze_h
 
 #include <algorithm>
 #include <array>

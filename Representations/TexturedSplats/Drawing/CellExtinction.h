@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Extinction of samples at points, such that they have together that of the cells between them. */
-#ifndef CellExtinction_h
-#define CellExtinction_h
+#ifndef nephoscope_CellExtinction_h
+#define nephoscope_CellExtinction_h
 
 #include <vector>
 

@@ -4,8 +4,8 @@
  * While points of several pixels are drawn: a viewport that is larger than the image, because a point is left out when its centre is
  * outside of the viewport.
  */
-#ifndef PointMargin_h
-#define PointMargin_h
+#ifndef nephoscope_PointMargin_h
+#define nephoscope_PointMargin_h
 
 #include "OpenGLFunctions.h"
 

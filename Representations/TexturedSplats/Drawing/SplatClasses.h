@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Colour and extinction of every sample, by the transfer functions of a volume property. */
-#ifndef SplatClasses_h
-#define SplatClasses_h
+#ifndef nephoscope_SplatClasses_h
+#define nephoscope_SplatClasses_h
 
 #include "ScalarSelection.h"
 

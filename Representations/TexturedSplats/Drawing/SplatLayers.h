@@ -7,8 +7,8 @@
  * far side of a globe, the layers come in the opposite order, and before the others. Samples without a grid are in layers at right
  * angles to the line of sight, one cell thick.
  */
-#ifndef SplatLayers_h
-#define SplatLayers_h
+#ifndef nephoscope_SplatLayers_h
+#define nephoscope_SplatLayers_h
 
 #include "SplatOrder.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Splats from back to front: a stable radix sort of their depths, by several threads. */
-#ifndef SplatOrder_h
-#define SplatOrder_h
+#ifndef nephoscope_SplatOrder_h
+#define nephoscope_SplatOrder_h
 
 #include "SplatMatrix.h"
 

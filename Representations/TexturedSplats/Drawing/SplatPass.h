@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Draws splats into a float image and lays it over the scene. */
-#ifndef SplatPass_h
-#define SplatPass_h
+#ifndef nephoscope_SplatPass_h
+#define nephoscope_SplatPass_h
 
 #include "BufferTexture.h"
 #include "ClippingPlanes.h"

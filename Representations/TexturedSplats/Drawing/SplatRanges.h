@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The drawing method of the splats in a sorted list, by their distance. */
-#ifndef SplatRanges_h
-#define SplatRanges_h
+#ifndef nephoscope_SplatRanges_h
+#define nephoscope_SplatRanges_h
 
 #include "SplatMatrix.h"
 #include "SplatOrder.h"

@@ -10,8 +10,8 @@
  *
  * Near the border a process needs splats of its neighbours too: those whose reach (SplatReachAround) enters its region.
  */
-#ifndef SplatRegion_h
-#define SplatRegion_h
+#ifndef nephoscope_SplatRegion_h
+#define nephoscope_SplatRegion_h
 
 #include <algorithm>
 #include <array>

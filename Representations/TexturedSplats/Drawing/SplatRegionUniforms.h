@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** What shaders need of the view and of a region of space: rays through pixels, and the region's planes. */
-#ifndef SplatRegionUniforms_h
-#define SplatRegionUniforms_h
+#ifndef nephoscope_SplatRegionUniforms_h
+#define nephoscope_SplatRegionUniforms_h
 
 #include <array>
 

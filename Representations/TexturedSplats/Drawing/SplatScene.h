@@ -4,8 +4,8 @@
  * The scene of a mapper: samples and their appearance, vectors, the hierarchy, the order and the layers. Each part is rebuilt only
  * when its sources change, and uploaded again only when it is rebuilt.
  */
-#ifndef SplatScene_h
-#define SplatScene_h
+#ifndef nephoscope_SplatScene_h
+#define nephoscope_SplatScene_h
 
 #include "ScalarSelection.h"
 #include "SplatClasses.h"
@@ -123,7 +123,7 @@ private:
   void ForgetOrder();
   void UploadOrder(SplatPass& pass) const;
 
-  // Of the last update, for what is found again in the same render.
+  // The last update, for what is found again in the same render.
   struct Sources
   {
     vtkDataSet* Input = nullptr;

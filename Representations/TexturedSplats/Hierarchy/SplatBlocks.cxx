@@ -14,7 +14,7 @@ namespace nephoscope
 namespace
 {
 constexpr double largestNode = 4096; // of a sparse volume's tree, in voxels
-constexpr std::uint32_t most = 1u << BlockOrder::mostBits;
+constexpr std::uint32_t mostBlocks = 1u << BlockOrder::mostBits;
 
 // Lengths of the cells of some of the samples, in the mean.
 std::array<double, 3> meanEdges(const SplatSamples& samples, const SplatClasses& classes)
@@ -90,7 +90,7 @@ bool SplatBlocks::UseVoxels()
   {
     this->Corner[c] = std::floor(this->Corner[c] / largestNode) * largestNode;
     const double size = high[c] - this->Corner[c] + 1.0;
-    if (!(size <= most))
+    if (!(size <= mostBlocks))
     {
       return false;
     }
@@ -109,8 +109,8 @@ void SplatBlocks::UseSpace()
     this->Corner, high);
   const double edge =
     std::max({ high[0] - this->Corner[0], high[1] - this->Corner[1], high[2] - this->Corner[2] });
-  this->BlocksPerLength = edge > 0.0 ? (most - 1) / edge : 0.0;
-  this->Order = BlockOrder({ { most, most, most } }, { { 1.0, 1.0, 1.0 } });
+  this->BlocksPerLength = edge > 0.0 ? (mostBlocks - 1) / edge : 0.0;
+  this->Order = BlockOrder({ { mostBlocks, mostBlocks, mostBlocks } }, { { 1.0, 1.0, 1.0 } });
 }
 
 BlockOrder::Index SplatBlocks::IndexOf(std::size_t sample) const

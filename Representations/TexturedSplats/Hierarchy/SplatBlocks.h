@@ -7,8 +7,8 @@
  * parts, or unions, of the leaves and nodes of the volume's own tree (8, 128 and 4096 voxels to a side, Museth2013). Others have the
  * indices of small cubes of space, of which 2^21 are along the longest edge of their bounds.
  */
-#ifndef SplatBlocks_h
-#define SplatBlocks_h
+#ifndef nephoscope_SplatBlocks_h
+#define nephoscope_SplatBlocks_h
 
 #include "BlockOrder.h"
 #include "SplatMatrix.h"

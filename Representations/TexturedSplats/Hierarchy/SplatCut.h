@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Which nodes of the hierarchy of splats are drawn in a view: those whose error is small enough, as near to the root as possible. */
-#ifndef SplatCut_h
-#define SplatCut_h
+#ifndef nephoscope_SplatCut_h
+#define nephoscope_SplatCut_h
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The error of the nodes of the splat hierarchy, in a view, relative to the samples that they represent. */
-#ifndef SplatError_h
-#define SplatError_h
+#ifndef nephoscope_SplatError_h
+#define nephoscope_SplatError_h
 
 #include "SplatOrder.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The hierarchy of a mapper's splats and its cut in the last view; each is rebuilt only when its sources change. */
-#ifndef SplatHierarchy_h
-#define SplatHierarchy_h
+#ifndef nephoscope_SplatHierarchy_h
+#define nephoscope_SplatHierarchy_h
 
 #include "SplatCut.h"
 #include "SplatError.h"

@@ -11,8 +11,8 @@
  * It is the same whatever the number of threads and the order of the input. Memory: 104 bytes for each node and 4 for each leaf; a full
  * grid has a node for 7 leaves, one of flat cells one for each. While it is built: 400 bytes for each node, 32 for each leaf.
  */
-#ifndef SplatTree_h
-#define SplatTree_h
+#ifndef nephoscope_SplatTree_h
+#define nephoscope_SplatTree_h
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The cells around the points of a piece of a mesh, those of other ranks too: they give splats their shapes. */
-#ifndef SplatBorders_h
-#define SplatBorders_h
+#ifndef nephoscope_SplatBorders_h
+#define nephoscope_SplatBorders_h
 
 #include "vtkSmartPointer.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The seam and the ends of a structured grid whose pieces are on several ranks; on one the mapper finds them by itself. */
-#ifndef SplatGridSeam_h
-#define SplatGridSeam_h
+#ifndef nephoscope_SplatGridSeam_h
+#define nephoscope_SplatGridSeam_h
 
 #include "SplatMatrix.h"
 

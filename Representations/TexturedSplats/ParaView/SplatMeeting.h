@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The data exchanged by ranks that draw one picture of splats: lengths, speeds, and the splats at the borders of their regions. */
-#ifndef SplatMeeting_h
-#define SplatMeeting_h
+#ifndef nephoscope_SplatMeeting_h
+#define nephoscope_SplatMeeting_h
 
 #include "SplatReach.h"
 #include "SplatRegion.h"

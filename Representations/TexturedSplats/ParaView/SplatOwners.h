@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Which rank draws a sample that several have. */
-#ifndef SplatOwners_h
-#define SplatOwners_h
+#ifndef nephoscope_SplatOwners_h
+#define nephoscope_SplatOwners_h
 
 #include "RankPlaces.h"
 

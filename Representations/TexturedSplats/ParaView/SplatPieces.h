@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The changes that the Textured Splats representation makes to its input before it passes it to the view. */
-#ifndef SplatPieces_h
-#define SplatPieces_h
+#ifndef nephoscope_SplatPieces_h
+#define nephoscope_SplatPieces_h
 
 #include "vtkSmartPointer.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Colours for the array that colours the vectors, where the user has given no colour map for it. */
-#ifndef SplatVectorColors_h
-#define SplatVectorColors_h
+#ifndef nephoscope_SplatVectorColors_h
+#define nephoscope_SplatVectorColors_h
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"

@@ -6,8 +6,8 @@
  * shape is as large as if they were on the other too, and it has that part of it that they fill. On hexahedra that are those of a
  * structured grid it is the same as there.
  */
-#ifndef CellSamples_h
-#define CellSamples_h
+#ifndef nephoscope_CellSamples_h
+#define nephoscope_CellSamples_h
 
 #include "CellShares.h"
 

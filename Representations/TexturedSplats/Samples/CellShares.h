@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** What every cell of a mesh gives to its corners, or to itself. */
-#ifndef CellShares_h
-#define CellShares_h
+#ifndef nephoscope_CellShares_h
+#define nephoscope_CellShares_h
 
 #include "CellShape.h"
 #include "CornerRing.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Shapes of the samples of structured grids. */
-#ifndef GridSamples_h
-#define GridSamples_h
+#ifndef nephoscope_GridSamples_h
+#define nephoscope_GridSamples_h
 
 #include "SplatMatrix.h"
 
@@ -46,7 +46,7 @@ public:
   /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. Needles
    * are wider than their cells. Cells of curved grids have the covariance of the cell (CellMoments.h). */
   SplatMatrix Jacobian(vtkIdType id) const;
-  /** Of a column of that, which is longer or shorter than this one. */
+  /** That of a column of the grid, which is longer or shorter than this one. */
   Vector3 Direction(vtkIdType id, int axis) const;
 
   /** Cells that do not count, one flag each; none if empty. */

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Which samples of a dataset are left out: hidden ones, and duplicates of what another process has. */
-#ifndef HiddenSamples_h
-#define HiddenSamples_h
+#ifndef nephoscope_HiddenSamples_h
+#define nephoscope_HiddenSamples_h
 
 #include "vtkType.h"
 

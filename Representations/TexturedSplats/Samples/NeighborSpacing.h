@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** How far apart particles are. */
-#ifndef NeighborSpacing_h
-#define NeighborSpacing_h
+#ifndef nephoscope_NeighborSpacing_h
+#define nephoscope_NeighborSpacing_h
 
 #include "RobustBounds.h"
 

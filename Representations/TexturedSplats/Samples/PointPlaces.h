@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Points in one place, at a seam, a pole, or where every cell has points of its own, are one sample. */
-#ifndef PointPlaces_h
-#define PointPlaces_h
+#ifndef nephoscope_PointPlaces_h
+#define nephoscope_PointPlaces_h
 
 #include "vtkType.h"
 

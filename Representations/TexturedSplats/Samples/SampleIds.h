@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Numbers of points or cells: 4 bytes each where all of them fit, else 8. */
-#ifndef SampleIds_h
-#define SampleIds_h
+#ifndef nephoscope_SampleIds_h
+#define nephoscope_SampleIds_h
 
 #include "vtkType.h"
 

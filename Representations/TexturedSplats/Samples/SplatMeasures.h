@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** The volume that splats represent, and how a scalar fills it. */
-#ifndef SplatMeasures_h
-#define SplatMeasures_h
+#ifndef nephoscope_SplatMeasures_h
+#define nephoscope_SplatMeasures_h
 
 #include "MediumMeasures.h"
 #include "RobustBounds.h"

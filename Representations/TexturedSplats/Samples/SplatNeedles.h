@@ -4,8 +4,8 @@
  * Cells that meet at an axis or a centre are needles. Splats of their shape would all reach across it, into one another, and make it bright. They
  * get as wide as the samples beside them are, and a part of their extinction such that they keep their mass. GridSamples does so for structured grids.
  */
-#ifndef SplatNeedles_h
-#define SplatNeedles_h
+#ifndef nephoscope_SplatNeedles_h
+#define nephoscope_SplatNeedles_h
 
 #include "vtkType.h"
 

@@ -9,8 +9,8 @@
  *
  * Samples stand in an order that does not depend on the order of the input: by x, then y, then z, then their values.
  */
-#ifndef SplatSamples_h
-#define SplatSamples_h
+#ifndef nephoscope_SplatSamples_h
+#define nephoscope_SplatSamples_h
 
 #include "SampleIds.h"
 #include "SplatShapes.h"

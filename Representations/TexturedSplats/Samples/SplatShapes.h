@@ -6,8 +6,8 @@
  * Points that are voxels of a sparse volume have the shape of a voxel, where no cell size is asked for: the columns of the matrix in the
  * field data array "IndexToWorld" (16 numbers, row by row), times the point array "VoxelScale" if there is one.
  */
-#ifndef SplatShapes_h
-#define SplatShapes_h
+#ifndef nephoscope_SplatShapes_h
+#define nephoscope_SplatShapes_h
 
 #include "CellSamples.h"
 #include "GridSamples.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Speeds and lengths of the vectors of a dataset's samples, and how far what is drawn of them reaches, without making a list of them. */
-#ifndef SplatVectorBounds_h
-#define SplatVectorBounds_h
+#ifndef nephoscope_SplatVectorBounds_h
+#define nephoscope_SplatVectorBounds_h
 
 #include "SplatReach.h"
 #include "SplatShapes.h"

@@ -6,8 +6,8 @@
  * The pattern of a splat moves along its vector by speed * time: its phase, in periods, is added to in steps, so that it does not
  * jump when the wind changes. Every splat starts at a phase of its own, which hides the lattice of the samples.
  */
-#ifndef SplatVectors_h
-#define SplatVectors_h
+#ifndef nephoscope_SplatVectors_h
+#define nephoscope_SplatVectors_h
 
 #include "SampleIds.h"
 #include "SplatSeed.h"

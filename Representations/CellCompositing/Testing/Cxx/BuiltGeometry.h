@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** CellGeometry of a dataset, and what tests ask of it. */
-#ifndef BuiltGeometry_h
-#define BuiltGeometry_h
+#ifndef nephoscope_BuiltGeometry_h
+#define nephoscope_BuiltGeometry_h
 
 #include "CellGeometry.h"
 

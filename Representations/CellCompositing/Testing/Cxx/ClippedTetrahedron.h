@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Random tetrahedra, and rays through them by clipping with the planes of the faces: the reference for projections. */
-#ifndef ClippedTetrahedron_h
-#define ClippedTetrahedron_h
+#ifndef nephoscope_ClippedTetrahedron_h
+#define nephoscope_ClippedTetrahedron_h
 
 #include "TestRandom.h"
 #include "TetrahedronRay.h"

@@ -4,8 +4,8 @@
  * Which tetrahedron lies in front of which, found without FaceNeighbors: pairs with three places in common, and determinants
  * in long double.
  */
-#ifndef FaceRelations_h
-#define FaceRelations_h
+#ifndef nephoscope_FaceRelations_h
+#define nephoscope_FaceRelations_h
 
 #include "CellGeometry.h"
 

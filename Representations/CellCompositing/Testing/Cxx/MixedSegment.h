@@ -10,8 +10,8 @@
  *
  * shaders/MixedSegment.glsl is the same algorithm.
  */
-#ifndef MixedSegment_h
-#define MixedSegment_h
+#ifndef nephoscope_MixedSegment_h
+#define nephoscope_MixedSegment_h
 
 #include "OpticalSegment.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /** Meshes that are hard to order: with holes, in parts, in cycles. */
-#ifndef OrderMeshes_h
-#define OrderMeshes_h
+#ifndef nephoscope_OrderMeshes_h
+#define nephoscope_OrderMeshes_h
 
 #include "CellGeometry.h"
 

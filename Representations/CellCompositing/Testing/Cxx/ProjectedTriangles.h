@@ -15,8 +15,8 @@
  *
  * shaders/ProjectedTriangles.glsl is the same algorithm; TestProjectedTrianglesShader compares the two.
  */
-#ifndef ProjectedTriangles_h
-#define ProjectedTriangles_h
+#ifndef nephoscope_ProjectedTriangles_h
+#define nephoscope_ProjectedTriangles_h
 
 #include "OpacityTable.h"
 #include "TetrahedronRay.h"

@@ -13,8 +13,8 @@
  * After Garrity1990 (from cell to cell), with the tests in two dimensions of MariaHornaAveneau2017.
  * shaders/TetrahedronWalk.glsl is the same algorithm.
  */
-#ifndef TetrahedronWalk_h
-#define TetrahedronWalk_h
+#ifndef nephoscope_TetrahedronWalk_h
+#define nephoscope_TetrahedronWalk_h
 
 #include <algorithm>
 #include <cmath>
