@@ -157,7 +157,7 @@ void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
     const bool isEven =
       this->Piece->GetNumberOfCells() == 0 || vtkImageData::SafeDownCast(this->Piece);
     this->AxisAligned = false;
-    this->MakeListOfCells(LeastOverRanks(isEven ? 1 : 0) == 1);
+    this->MakeListOfCells(MinimumOverRanks(isEven ? 1 : 0) == 1);
   }
   this->KeepsPiece = this->AxisAligned;
   this->Superclass::DescribePiece(inInfo);
