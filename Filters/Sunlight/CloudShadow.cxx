@@ -9,6 +9,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFloatArray.h"
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -17,6 +18,8 @@
 #include "vtkProbeFilter.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace nephoscope
@@ -25,7 +28,34 @@ namespace
 {
 const char* const fractionName = "SunTransmittance";
 const char* const irradianceName = "Irradiance";
+const char* const depthName = "SunDepth";
 constexpr float unknown = -1;
+constexpr float darkest = 1e-9f;
+
+// Depths are interpolated, not fractions: through even clouds, or along a side of them, the depth is linear.
+float depthOf(vtkDataArray* fraction, vtkIdType i)
+{
+  return -std::log(std::max(static_cast<float>(fraction->GetComponent(i, 0)), darkest));
+}
+
+vtkSmartPointer<vtkDataSet> withDepths(vtkDataSet* clouds)
+{
+  vtkDataArray* fraction = clouds->GetPointData()->GetArray(fractionName);
+  vtkNew<vtkFloatArray> depths;
+  depths->SetName(depthName);
+  depths->SetNumberOfTuples(clouds->GetNumberOfPoints());
+  inParallel(clouds->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      depths->SetValue(i, depthOf(fraction, i));
+    }
+  });
+  vtkSmartPointer<vtkDataSet> copy;
+  copy.TakeReference(clouds->NewInstance());
+  copy->ShallowCopy(clouds);
+  copy->GetPointData()->AddArray(depths);
+  return copy;
+}
 
 float valueOf(vtkDataArray* array, vtkIdType i)
 {
@@ -47,7 +77,7 @@ void takeInside(vtkDataSet* clouds, const std::vector<Place>& places, CloudShado
   probe->SetSourceData(clouds);
   probe->Update();
   vtkPointData* probed = probe->GetOutput()->GetPointData();
-  vtkDataArray* fraction = probed->GetArray(fractionName);
+  vtkDataArray* depth = probed->GetArray(depthName);
   vtkDataArray* irradiance = probed->GetArray(irradianceName);
   vtkDataArray* valid = probed->GetArray(probe->GetValidPointMaskArrayName());
   for (std::size_t p = 0; p < places.size(); ++p)
@@ -55,7 +85,7 @@ void takeInside(vtkDataSet* clouds, const std::vector<Place>& places, CloudShado
     const auto i = static_cast<vtkIdType>(p);
     if (valid->GetComponent(i, 0) > 0)
     {
-      shadow.Fraction[p] = valueOf(fraction, i);
+      shadow.Fraction[p] = std::exp(-valueOf(depth, i));
       shadow.Irradiance[p] = valueOf(irradiance, i);
     }
   }
@@ -77,7 +107,7 @@ public:
     geometry->SetInputData(clouds);
     geometry->Update();
     vtkPolyData* boundary = geometry->GetOutput();
-    vtkDataArray* fraction = boundary->GetPointData()->GetArray(fractionName);
+    vtkDataArray* depth = boundary->GetPointData()->GetArray(depthName);
     vtkDataArray* irradiance = boundary->GetPointData()->GetArray(irradianceName);
     std::vector<Place> places(static_cast<std::size_t>(boundary->GetNumberOfPoints()));
     std::vector<Fields> fields(places.size());
@@ -85,7 +115,7 @@ public:
     {
       const auto i = static_cast<vtkIdType>(p);
       boundary->GetPoint(i, places[p].data());
-      fields[p] = { { valueOf(fraction, i), valueOf(irradiance, i) } };
+      fields[p] = { { valueOf(depth, i), valueOf(irradiance, i) } };
     }
     this->Points = sunPoints(places, fields, {}, towardsSun, loop);
     this->Faces = EntryFaces(this->Points, trianglesOf(boundary));
@@ -98,7 +128,9 @@ public:
     std::array<std::int32_t, 3> ignored;
     const bool enters =
       this->Faces.Next(this->Points, std::numeric_limits<double>::lowest(), ray, ignored) >= 0;
-    return enters ? ray.Values() : std::array<double, 2>{ { 1.0, unknown } };
+    const std::array<double, 2> values = ray.Values();
+    return enters ? std::array<double, 2>{ { std::exp(-values[0]), values[1] } }
+                  : std::array<double, 2>{ { 1.0, unknown } };
   }
 
 private:
@@ -138,8 +170,9 @@ CloudShadow cloudShadow(
   };
   shadow.Fraction.assign(places.size(), unknown);
   shadow.Irradiance.assign(places.size(), unknown);
-  takeInside(clouds, places, shadow);
-  const CloudBase base(clouds, towardsSun, loop);
+  const vtkSmartPointer<vtkDataSet> deep = withDepths(clouds);
+  takeInside(deep, places, shadow);
+  const CloudBase base(deep, towardsSun, loop);
   const std::vector<SunPoint> points =
     sunPoints(places, std::vector<Fields>(places.size()), {}, towardsSun, loop);
   loop(static_cast<std::int64_t>(places.size()), [&](std::int64_t begin, std::int64_t end) {

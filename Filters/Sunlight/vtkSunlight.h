@@ -56,6 +56,7 @@ namespace nephoscope
 {
 class BlocksWithArray;
 struct CloudPart;
+struct LightGrid;
 struct Planet;
 }
 
@@ -273,6 +274,7 @@ private:
   void WarnOfOtherSun(const Work& work);
   void WarnOfLight(vtkDataSet* data, const Work& work);
   void WarnOfDepth(vtkDataSet* data, const Work& work);
+  void WarnOfSides(const nephoscope::LightGrid& grid);
   void WarnOfPieces(vtkDataSet* data, vtkInformation* information);
   std::vector<double> State() const;
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Warnings about implausible optical depths, for example because an array is not an extinction coefficient or has another unit of length.
+// Warnings about implausible optical depths, for example because an array is not an extinction coefficient or has another unit of length, and about light through the sides.
 #include "vtkSunlight.h"
 
+#include "LightGrid.h"
 #include "LitData.h"
 #include "vtkSunlightInternals.h"
 
@@ -64,6 +65,37 @@ double medianDepth(vtkDataSet* data, const std::vector<float>& extinction)
   return depths[depths.size() / 2];
 }
 
+// The part of the beam at a side of the grid that enters there and meets clouds.
+double beamThroughSide(const nephoscope::LightGrid& grid, std::size_t p, int axis, bool isLast)
+{
+  const double inwards = (isLast ? -1 : 1) * grid.SunAt(p)[axis],
+               width = grid.Step[p][axis] * (grid.Size[axis] - 1),
+               area = grid.Step[p][1 - axis] * grid.Step[p][2];
+  return inwards > 0 ? inwards * area * grid.BeamAt(p) * (1 - std::exp(-grid.Extinction[p] * width))
+                     : 0;
+}
+
+// Power of the beam through the cloudy sides, as a fraction of that through the top.
+double fractionThroughSides(const nephoscope::LightGrid& grid)
+{
+  double top = 0, sides = 0;
+  for (std::size_t p = 0; p < grid.Points(); ++p)
+  {
+    const int index[2] = { int(p % grid.Size[0]), int(p / grid.Size[0] % grid.Size[1]) };
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      for (const bool isLast : { false, true })
+      {
+        const bool isSide = !grid.Closed[axis] && index[axis] == (isLast ? grid.Size[axis] - 1 : 0);
+        sides += isSide ? beamThroughSide(grid, p, axis, isLast) : 0;
+      }
+    }
+    const bool isTop = p + grid.Columns() >= grid.Points();
+    top += isTop ? std::max(-grid.SunAt(p)[2], 0.0f) * grid.Step[p][0] * grid.Step[p][1] : 0;
+  }
+  return top > 0 ? sides / top : 0;
+}
+
 double withOneDigit(double value)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(value)));
@@ -91,5 +123,18 @@ void vtkSunlight::WarnOfDepth(vtkDataSet* data, const Work& work)
       << "The clouds are hardly visible: their greatest optical depth, across all of the data, is "
       << withOneDigit(whole) << ". " << remedy << withOneDigit(this->ExtinctionScale * 10 / whole)
       << ", if '" << this->UsedExtinction << "' has another unit.");
+  }
+}
+
+void vtkSunlight::WarnOfSides(const nephoscope::LightGrid& grid)
+{
+  constexpr double much = 0.5;
+  const double fraction = fractionThroughSides(grid);
+  if (fraction > much)
+  {
+    vtkWarningMacro(
+      << "Clouds reach the sides of the data, and " << withOneDigit(fraction)
+      << " times as much sunlight enters there as from above. The sides are mirrors for diffuse light, which cannot leave, so the light is too bright. "
+         "Turn PeriodicSides on for clouds that repeat, or surround the clouds by clear air.");
   }
 }

@@ -57,6 +57,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   {
     grid.Sky[c] = this->SkyAt(work.Places[axes.Order.NumberOf(c)], work);
   }
+  this->WarnOfSides(grid);
   nephoscope::LightSettings settings;
   settings.Zenith = this->ZenithAngles;
   settings.Azimuth = this->AzimuthAngles;

@@ -307,6 +307,18 @@ class Again(unittest.TestCase):
 
 
 class Wrong(unittest.TestCase):
+    def test_sides(self):
+        """A tall cloud that reaches the sides of its grid is told, with the fraction of the beam that enters there, but not a wide one, one in clear air, or one that repeats."""
+        tall = image((5, 5, 31), (100, 100, 100), lambda x, y, z: 0 * x + 0.02)
+        wide = image((31, 31, 5), (100, 100, 100), lambda x, y, z: 0 * x + 0.02)
+        alone = image((9, 9, 31), (100, 100, 100), lambda x, y, z: 0.02 * ((np.abs(x - 400) < 350) & (np.abs(y - 400) < 350)))
+        for name, data, sun, told, options in (("tall", tall, (1, 0, 1), "times", {}), ("from -y", tall, (0, -1, 1), "times", {}), ("overhead", tall, (0, 0, 1), "", {}), ("wide", wide, (1, 0, 1), "", {}),
+                                               ("alone", alone, (1, 0, 1), "", {}), ("periodic", tall, (1, 0, 1), "", {"PeriodicSides": True})):
+            with self.subTest(name):
+                found = [message for message in light_of(data, sun, **options)[1] if "reach the sides" in message]
+                self.assertEqual(len(found), int(bool(told)), found)
+                self.assertIn(told, "".join(found))
+
     def test_messages(self):
         fine = image((3, 3, 3), (1, 1, 1), lambda x, y, z: 0 * x + 1)
         for data, options, word in ((fine, {"ExtinctionArrayName": "no"}, "'no'"), (fine, {"sun": (0, 0, 0)}, "SunDirection"),

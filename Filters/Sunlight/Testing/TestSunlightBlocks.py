@@ -5,7 +5,7 @@ import itertools
 import unittest
 
 import numpy as np
-from lit import add, image, light_of, places, values
+from lit import add, beside_sides, image, light_of, places, values
 from nephoscope import vtkSunlight
 from nephoscope_testing import meshes
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -221,12 +221,12 @@ class Blocks(unittest.TestCase):
         data = clouds()
         blocks = [part(data, 0, 6), part(data, 6, 12)]
         for options, words in (({"sun": (0, 0, -1)}, "below the horizon"), ({"ExtinctionScale": 1e4}, "optical depth above"), ({"sun": (0, 0, 0)}, "SunDirection is")):
-            _, messages = lit(blocks, **options)
+            messages = beside_sides(lit(blocks, **options)[1])
             self.assertEqual(len(messages), 1, messages)
             self.assertIn(words, messages[0])
         negative = clouds()
         add(negative, "Extinction", np.where(np.arange(negative.GetNumberOfPoints()) == 0, -1, values(negative, "Extinction")))
-        _, messages = lit([part(negative, 0, 6), part(negative, 6, 12)])
+        messages = beside_sides(lit([part(negative, 0, 6), part(negative, 6, 12)])[1])
         self.assertEqual(len(messages), 1, messages)
         self.assertIn("1 value of 'Extinction' negative", messages[0])
 

@@ -18,7 +18,7 @@ from ._dates import as_time, options_of
 from ._fields import preset_of_field
 from ._from_xarray import is_weather, sun_for
 from ._medium import default_scalars, one_mesh
-from ._pipeline import set_input, vtk_messages
+from ._pipeline import level_of_caller, set_input, vtk_messages
 from ._typing import AnyMesh, Mesh, Numbers
 from .optics import cloud_optics, optics_of
 from .tone import checked, toned
@@ -185,6 +185,9 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     elif eye is not None:
         light.SetUseViewPosition(True)
         light.SetViewPosition(*_three(eye, say("eye")))
+    if phase_function != "henyey-greenstein" and eye != "camera":
+        warnings.warn(f"{say('phase_function')} is {phase_function!r}, which needs {say('eye')}='camera'; the light has the phase function of Henyey and Greenstein.", UserWarning,
+                      stacklevel=level_of_caller())
     light.SetParallelView(bool(parallel))
     with vtk_messages(light, _names(say), by_class=say is str):
         light.Update()
