@@ -138,6 +138,22 @@ class Ground(unittest.TestCase):
 
     AXES, MIDDLE = np.array([600.0, 500.0, 300.0]), np.array([1000.0, 1000.0, 1500.0])
 
+    def test_outline(self):
+        """Below a uniform box, exp(-extinction * chord), at the edges of the shadow too: sides of coarse cells interpolate the depth."""
+        for extinction in (0.003, 0.02):
+            for sun, most in (((1, 0, 0.4), 0), ((0.5, 0.37, 0.3), 25)):
+                clouds, _ = light_of(image((21, 21, 11), (100, 100, 50), lambda x, y, z: 0 * x + extinction), sun, MultipleScattering=False)
+                ground = image((101, 101, 1), (60, 60, 1), lambda x, y, z: 0 * x, origin=(-4010, -4010, -100))
+                ground.GetPointData().RemoveArray("Extinction")
+                lit, _ = light_of(ground, sun, clouds)
+                towards, at = np.array(sun) / np.linalg.norm(sun), places(lit)
+                with np.errstate(all="ignore"):
+                    ways = np.nan_to_num(np.stack([-at / towards, ((2000, 2000, 500) - at) / towards]), nan=0, posinf=1e30, neginf=-1e30)
+                chord = np.maximum(ways.max(0).min(1) - np.maximum(ways.min(0).max(1), 0), 0)
+                chord[(towards[1] == 0) & ((at[:, 1] < 0) | (at[:, 1] > 2000))] = 0
+                errors = np.abs(values(lit, "SunTransmittance") - np.exp(-extinction * chord))
+                self.assertLessEqual((errors > 0.01).sum(), most, sun)
+
     def cloud(self, spacing):
         """An ellipsoid of 0.01 (1 - r^2), in a box that begins 1 km above the ground."""
         size = round(2000 / spacing) + 1
