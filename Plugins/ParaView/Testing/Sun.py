@@ -11,6 +11,7 @@ EXTENT = [-4, 4] * 3
 
 
 def cloud():
+    """It reaches the sides of the data, which Sunlight warns about."""
     return pvs.Calculator(Input=pvs.Wavelet(WholeExtent=EXTENT), ResultArrayName="Extinction", Function="0.2+0*coordsX")
 
 
@@ -185,7 +186,7 @@ def check_volumes_without_light(messages):
         pvs.Render(view)
     check(len(messages) == 1 and "no volume in this view" in messages[0] and all(words in messages[0] for words in ("For clouds apply Cloud Optics", "apply Sunlight alone", "hide the Sun")), f"beside plain cells: {messages}")
     messages.clear()
-    pvs.Show(pvs.Sunlight(Input=cloud()), view).SetRepresentationType("Cell Compositing")
+    pvs.Show(pvs.Sunlight(Input=cloud(), PeriodicSides=True), view).SetRepresentationType("Cell Compositing")
     pvs.Render(view)
     check(not messages, f"beside lit cells: {messages}")
     pvs.Delete(view)
@@ -200,5 +201,6 @@ check_light_of_view()
 check_haze()
 check_date()
 check_states()
-check(not messages, f"messages: {messages}")
+others = [message for message in messages if "Clouds reach the sides" not in message]
+check(not others, f"messages: {others}")
 passed()
