@@ -170,9 +170,9 @@ CloudShadow cloudShadow(
   };
   shadow.Fraction.assign(places.size(), unknown);
   shadow.Irradiance.assign(places.size(), unknown);
-  const vtkSmartPointer<vtkDataSet> deep = withDepths(clouds);
-  takeInside(deep, places, shadow);
-  const CloudBase base(deep, towardsSun, loop);
+  const vtkSmartPointer<vtkDataSet> source = withDepths(clouds);
+  takeInside(source, places, shadow);
+  const CloudBase base(source, towardsSun, loop);
   const std::vector<SunPoint> points =
     sunPoints(places, std::vector<Fields>(places.size()), {}, towardsSun, loop);
   loop(static_cast<std::int64_t>(places.size()), [&](std::int64_t begin, std::int64_t end) {

@@ -21,8 +21,8 @@ struct DirectionSweep::Cone
   std::size_t First, Count; // directions
   float Z, Weight;
   std::vector<float> Fluence, X, Y; // of their light
-  std::vector<float> Even, Slopes[2],
-    Scale; // of the sources in a plane: all directions' part, along x and y
+  // The sources in a plane: the part that all directions share, the changes along x and y, and what multiplies them.
+  std::vector<float> Even, Slopes[2], Scale;
   // For each direction, in this plane and in that upstream.
   std::vector<std::vector<float>> Radiance[2], Emission[2];
 

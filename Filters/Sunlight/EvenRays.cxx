@@ -12,8 +12,6 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double dark = 40; // depth at which less than 1e-17 of the light is left
-
 Place between(const SunPoint& a, const SunPoint& b, double scale = 1)
 {
   return { { scale * (b.X - a.X), scale * (b.Y - a.Y), scale * (b.Z - a.Z) } };
@@ -356,7 +354,7 @@ void EvenRays::Follow(const std::vector<Face>& faces, Span& span) const
     wasClear = isClear;
     const auto begin = span.Depths[1].begin();
     if (n % 16 == 0 &&
-      std::all_of(begin + low, begin + high + 1, [](double depth) { return depth > dark; }))
+      std::all_of(begin + low, begin + high + 1, [](double depth) { return depth > darkDepth; }))
     {
       return;
     }

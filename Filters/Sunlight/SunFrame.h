@@ -20,6 +20,9 @@ using Fields =
 using Loop = std::function<void(
   std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)>;
 
+/** A depth at which less than 1e-17 of the light is left, so that the rest of the way changes nothing. */
+constexpr double darkDepth = 40;
+
 struct SunPoint
 {
   double X, Y, Z;

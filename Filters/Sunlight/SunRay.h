@@ -32,8 +32,7 @@ public:
   /** The fields where the ray is. */
   std::array<double, 2> Values() const { return { { this->Here[0], this->Here[1] } }; }
   double Across(int axis) const { return axis == 0 ? this->X : this->Y; }
-  /** Whether less than 1e-17 of the light goes on, so that the rest of the way changes nothing. */
-  bool IsDark() const { return this->Sums[1] > 40; }
+  bool IsDark() const { return this->Sums[1] > darkDepth; }
   std::array<double, 2> Depths() const
   {
     return { { std::max(this->Sums[0], 0.0), std::max(this->Sums[1], 0.0) } };
