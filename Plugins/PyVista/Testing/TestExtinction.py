@@ -58,6 +58,13 @@ class Extinction(unittest.TestCase):
         image.set_active_scalars("k")
         self.assertAlmostEqual(self.transmittance(image, color="black", cmap=None), np.exp(-0.01 * LENGTH), delta=0.006)
 
+    def test_contours_of_one_colour(self):
+        """The values are extinctions: a surface lies across the line of sight, and hides as much as it is opaque."""
+        image = box()
+        image["Extinction"] = 0.02 * image.points[:, 2] / LENGTH
+        surface = {"values": [0.01], "opacity": 0.5, "color": "black", "lighting": False}
+        self.assertAlmostEqual(self.transmittance(image, color="black", cmap=None, contours=surface), 0.5 * np.exp(-0.01 * LENGTH), delta=0.006)
+
     def test_splats(self):
         image = box((21, 21, 41))
         for depth in (0.3, 2.0):

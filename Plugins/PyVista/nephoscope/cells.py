@@ -11,6 +11,7 @@ import pyvista
 from . import vtkCellCompositingMapper
 from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument
+from ._extinction import is_extinction
 from ._fields import FLAT_GRID
 from ._from_xarray import add_earth_for, darken_for, title_with_units
 from ._layers import Layers
@@ -224,6 +225,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     grid = _solid_grid(grid, {**({"scalars": scalars} if color is None or scalars is not None else {}), "opacity_scalars": opacity_scalars,
                               "contours['scalars']": surfaces.scalars, "layer_scalars": layer_scalars})
     opacity_scalars = named_extinction(grid, opacity, scalars, opacity_scalars)
+    if color is not None and scalars is None and is_extinction(opacity):
+        scalars = opacity_scalars  # contours are of the extinction, in one colour
     uniform = scalars is None and (color is not None or is_bare(grid))
     if color is not None or uniform:
         cmap, show_scalar_bar = uniform_colours(plotter, color, cmap), bool(show_scalar_bar)

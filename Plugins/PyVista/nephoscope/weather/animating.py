@@ -56,7 +56,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         stay the same: the fastest by at most their distance in a second of the film, or as their ``true_speed`` says. A ``phase`` or ``film_time`` that you set stays.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg, on the path or of the package imageio-ffmpeg), or a folder for PNG pictures. Default: a slider of time.
-        Until the film is whole its frames are in the folder ``<filename>.frames`` beside it. The same call after an interruption goes on from there: it draws the newest of these frames
+        Until the film is complete, its frames are kept in the folder ``<filename>.frames`` beside it, or in the folder for PNG pictures itself. The same call after an interruption goes on from there: it draws the newest of these frames
         once more, and begins anew if this differs from what was kept, or if the options, the times, the size of the window or the data differ. Files are compared by their size and time,
         meshes in memory by their values; of a function only what it draws in that frame. To begin anew in any case, remove the folder.
     times : sequence, optional
