@@ -43,12 +43,12 @@ endfunction ()
 
 # The properties that every representation of a medium has, with what is said of this one only.
 set(name CellCompositing)
-set(opacity_array_none "None: the coloured array; smoke, as Flow Volume makes it, is then as opaque as it is dense, whatever it
-          is coloured by, and clouds that are coloured by Sunlight have the extinction that their light was computed for.")
-set(unit_distance_else "; for smoke, so that its optical depth is 1 through as much of it as the generating polygon is wide")
+set(opacity_array_none "None: the coloured array. The opacity of smoke from Flow Volume is then proportional to its density,
+          whatever it is coloured by; clouds coloured by Sunlight have the extinction for which their light was computed.")
+set(unit_distance_else "; for smoke, an optical depth of 1 over a path as long as the generating polygon is wide")
 nephoscope_configure_text(MediumProperties.xml.in cell_compositing_medium_properties)
 set(name TexturedSplats)
-set(opacity_array_none "None: the coloured array; clouds that are coloured by Sunlight have the extinction that their light was computed for.")
+set(opacity_array_none "None: the coloured array; clouds coloured by Sunlight have the extinction for which their light was computed.")
 set(unit_distance_else "")
 nephoscope_configure_text(MediumProperties.xml.in textured_splats_medium_properties)
 set(with_vectors "<PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" property=\"TexturedSplatsVectorArray\"
