@@ -93,7 +93,7 @@ void GlobeGridBuilder::FindLevelUnits()
   if (this->Units == LevelUnits::Sigma && !this->Heights)
   {
     this->Notes.push_back(
-      "The levels end near 1, like sigma and hybrid levels. Pressures of such levels depend on the place and are not "
+      "The levels end near 1, like sigma and hybrid levels. Pressures of such levels depend on the position and are not "
       "in the input. The heights assume a ground pressure of 1013.25 hPa. Load an array of heights in metres "
       "and set HeightArrayName, or set LevelUnits if these are pressures.");
   }

@@ -294,7 +294,7 @@ void vtkPolyhedronToTetrahedra::Report(const vtkWork& work)
     this->NumberOfUndividedCells += count;
     const auto first = std::find(work.Outcomes.begin(), work.Outcomes.end(), complaint.Outcome);
     vtkWarningMacro(<< count << (count == 1 ? " polyhedron is" : " polyhedra are")
-                    << " passed without being divided (cell " << first - work.Outcomes.begin()
+                    << " left undivided (cell " << first - work.Outcomes.begin()
                     << (count == 1 ? "" : " is the first") << "): " << complaint.What << ". "
                     << complaint.Remedy);
   }

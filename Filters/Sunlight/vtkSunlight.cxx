@@ -169,7 +169,7 @@ void vtkSunlight::TakeForClearAir(vtkDataSet* data)
   }
   vtkWarningMacro(
     << nephoscope::inBlock(this, data) << "It has no array '" << name
-    << "' of the extinction and is taken for clear air. Make the array by Cloud Optics, if there are clouds.");
+    << "' of the extinction and is treated as clear air. Make the array by Cloud Optics, if there are clouds.");
   addPointArray(data, name.c_str())->FillValue(0.0f);
 }
 

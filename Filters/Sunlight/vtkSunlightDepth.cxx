@@ -115,12 +115,12 @@ void vtkSunlight::WarnOfDepth(vtkDataSet* data, const Work& work)
     vtkWarningMacro(<< "Half of the cells have an optical depth above " << withOneDigit(cell)
                     << " along their shortest edge, so only the outer faces are visible. " << remedy
                     << withOneDigit(this->ExtinctionScale / cell) << ", if '"
-                    << this->UsedExtinction << "' is no extinction or has another unit.");
+                    << this->UsedExtinction << "' is not an extinction or has another unit.");
   }
   else if (densest > 0 && whole < clearData)
   {
     vtkWarningMacro(
-      << "The clouds are hardly visible: their greatest optical depth, across all of the data, is "
+      << "The clouds are hardly visible: their maximum optical depth across the data is "
       << withOneDigit(whole) << ". " << remedy << withOneDigit(this->ExtinctionScale * 10 / whole)
       << ", if '" << this->UsedExtinction << "' has another unit.");
   }

@@ -54,7 +54,7 @@ void vtkSunlight::WarnOfPlace(
       vtkWarningMacro(
         << nephoscope::inBlock(this, data) << "The middle of the map is at longitude "
         << std::round(longitude) << " and latitude " << std::round(latitude)
-        << ", but the sun is that of longitude 0 and latitude 0: set Longitude and Latitude beside the date.");
+        << ", but the sun is that of longitude 0 and latitude 0: set Longitude and Latitude as well as the date.");
     }
   }
   this->ToldOfPlace = isElsewhere;

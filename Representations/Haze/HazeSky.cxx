@@ -88,7 +88,7 @@ int HazeSky::RenderOpaqueGeometry(vtkViewport* viewport)
     window->GetShaderCache()->ReadyShaderProgram(vertexShader, fragmentShader(view).c_str(), "");
   if (!program)
   {
-    vtkErrorMacro("The shader of the haze before the background did not compile.");
+    vtkErrorMacro("The shader of the haze in front of the background did not compile.");
     return 0;
   }
   const SavedState saved(window->GetState());

@@ -354,7 +354,7 @@ class Wrong(unittest.TestCase):
         for data, options, words in (
                 (image((9, 9, 9), (1, 1, 1), lambda x, y, z: 150 + x), {}, ("optical depth above 200", "ExtinctionScale, such as 0.006")),
                 (image((9, 9, 9), (1, 1, 1), lambda x, y, z: 150 + x), {"ExtinctionScale": 1e-4}, ()),
-                (image((9, 9, 9), (1, 1, 0.5), lambda x, y, z: 0 * x + 1e-4), {}, ("greatest optical depth, across all of the data, is 0.001", "such as 8000")),
+                (image((9, 9, 9), (1, 1, 0.5), lambda x, y, z: 0 * x + 1e-4), {}, ("maximum optical depth across the data is 0.001", "such as 8000")),
                 (image((9, 9, 9), (1000, 1000, 500), lambda x, y, z: 0.05 * (z > 2000) * (x > 5000)), {}, ()),
                 (image((9, 9, 9), (1, 1, 1), lambda x, y, z: 0 * x), {}, ())):
             _, messages = light_of(data, **options)

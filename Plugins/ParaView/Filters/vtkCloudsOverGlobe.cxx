@@ -152,7 +152,7 @@ std::string vtkCloudsOverGlobe::FindFile(const char* name)
   }
   vtkErrorMacro("There is no file "
     << name << " in "
-    << (folder.empty() ? std::string(NephoscopeDataFolder()) + " beside the plugin" : folder)
+    << (folder.empty() ? std::string(NephoscopeDataFolder()) + " next to the plugin" : folder)
     << ". Set Folder to the folder Data of Nephoscope's sources.");
   return std::string();
 }
@@ -175,7 +175,7 @@ int vtkCloudsOverGlobe::Inform(vtkInformationVector* outputs)
   vtkInformation* globe = this->Globe->GetOutputInformation(0);
   if (!globe->Has(SDDP::WHOLE_EXTENT()))
   {
-    vtkErrorMacro("The file '" << file << "' holds no grid of longitudes, latitudes and levels.");
+    vtkErrorMacro("The file '" << file << "' contains no grid of longitudes, latitudes and levels.");
     return 0;
   }
   int whole[6];

@@ -150,7 +150,7 @@ void vtkSunRepresentation::WarnOfVolumes()
   {
     vtkWarningMacro(
       "The sun lights surfaces, but no volume in this view: their data have no light yet. For clouds apply Cloud Optics, if they have no Extinction, "
-      "and Sunlight; for the smoke of a Flow Volume apply Sunlight alone. Show its output. What is no medium, such as a temperature, needs no light: "
+      "and Sunlight; for the smoke of a Flow Volume apply Sunlight alone. Show its output. Data that are not a medium, such as a temperature, need no light: "
       "hide the Sun, or leave it as it is.");
   }
   this->HasToldOfVolumes = isUnlit;

@@ -218,7 +218,7 @@ class WithoutUnits(unittest.TestCase):
     def test_it_is_told(self):
         told = self.dataset.nephoscope.describe()
         self.assertIn("temperature: 't', left out", told)
-        self.assertRegex(told, "note: 't' is left out. 't' has no units, and its values, -20 to -20, are no temperature in K")
+        self.assertRegex(told, "note: 't' is left out. 't' has no units, and its values, -20 to -20, are not plausible for temperature in K")
         self.assertIn("heights: ", told)
         with self.assertWarnsRegex(UserWarning, "'t' is left out. 't' has no units"):
             self.assertNotIn("t", self.dataset.nephoscope.globe().point_data)

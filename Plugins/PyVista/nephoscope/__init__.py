@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Clouds, smoke and wind for VTK, PyVista and ParaView.
 
-``import nephoscope`` provides every wrapped class (``nephoscope.vtkGlobeGrid()``) and needs only the ``vtkmodules`` that the project was built
-against. The functions listed in `VTK_FUNCTIONS` need nothing else. The functions in `PYVISTA_FUNCTIONS` and the dataset accessor ``mesh.nephoscope`` need PyVista, and
+``import nephoscope`` provides every wrapped class (``nephoscope.vtkGlobeGrid()``) and needs only the ``vtkmodules`` for which the project was
+built. The functions listed in `VTK_FUNCTIONS` need nothing else. The functions in `PYVISTA_FUNCTIONS` and the dataset accessor ``mesh.nephoscope`` need PyVista, and
 import it on first use.
 """
 import functools as _functools

@@ -38,9 +38,9 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--exaggeration", metavar="FACTOR", help="exaggeration of heights on a globe, 1 to 100 (default: 10)")
     parser.add_argument("--opacity", metavar="FACTOR", help="0.1 to 5 (default: 1)")
     parser.add_argument("--preset", help="colours and opacities, for example 'wind speed' (default: chosen by the field)")
-    parser.add_argument("--no-terrain", dest="terrain", action="store_const", const="0", help="a smooth globe")
+    parser.add_argument("--no-terrain", dest="terrain", action="store_const", const="0", help="draw a smooth globe instead of the terrain")
     parser.add_argument("--port", type=int, default=PORT, help=f"port of the web server, 0: any free port (default: {PORT})")
-    parser.add_argument("--host", default="127.0.0.1", help="address to listen at (default: 127.0.0.1, this machine alone)")
+    parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default: 127.0.0.1, this machine only)")
     parser.add_argument("--no-browser", dest="open_browser", action="store_false", help="do not open the page in a browser")
     return parser
 

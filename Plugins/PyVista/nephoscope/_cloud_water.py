@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Water of clouds of which only the fraction is known: in a cloud 0.21 g/m3 at sea level, and less by a factor e every 2.3 km of height (Hack 1998)."""
+"""Water of clouds of which only the fraction is known: in a cloud 0.21 g/m3 at sea level, and less by a factor of e every 2.3 km of height (Hack 1998)."""
 from __future__ import annotations
 
 import math

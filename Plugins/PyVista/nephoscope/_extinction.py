@@ -33,12 +33,12 @@ def greatest_extinction(values: np.ndarray, name: str, across: float, scale: flo
     densest = max(float(finite.max(initial=0)), 0.0)
     depth = densest * across * scale
     if 0 < depth < THINNEST:
-        _warn(f"The medium is hardly visible: the greatest optical depth across the mesh is {depth:.1g}. The extinction {name!r} must be per unit of length of the mesh: "
+        _warn(f"The medium is hardly visible: the maximum optical depth across the mesh is {depth:.1g}. The extinction {name!r} must be per unit of length of the mesh: "
               f"set opacity_scale, such as {10 * scale / depth:.1g}, if it has another unit.")
     elif across * scale * float(finite.clip(0).mean()) > THICKEST:
         thick = across * scale * float(finite.clip(0).mean())
         _warn(f"Only the outer faces are visible: the mean optical depth across the mesh is {thick:.1g}. The extinction {name!r} must be per unit of length of the mesh: "
-              f"set opacity_scale, such as {10 * scale / thick:.1g}, if it is no extinction or has another unit.")
+              f"set opacity_scale, such as {10 * scale / thick:.1g}, if it is not an extinction or has another unit.")
     return densest or 1.0
 
 

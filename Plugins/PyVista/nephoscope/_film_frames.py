@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Frames of a film as PNG files in a folder, so that an interrupted film goes on where it stopped. Needs Python alone: `animate` and the scripts of the figures use it."""
+"""Frames of a film as PNG files in a folder, so that an interrupted film continues where it stopped. Needs only Python: `animate` and the scripts of the figures use it."""
 from __future__ import annotations
 
 import errno
@@ -17,17 +17,17 @@ FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 
 
 class Frames:
-    """Files ``00000.png``, ``00001.png`` ... in a folder. A file of such a name is a whole frame: frames are drawn into another file, which is renamed."""
+    """Files ``00000.png``, ``00001.png`` ... in a folder. A file of such a name is a complete frame: frames are drawn into another file, which is renamed."""
 
     def __init__(self, folder: str | Path, count: int, settings: Any) -> None:
-        """`settings`: all that the frames depend on, as something that JSON can hold; frames of other settings are drawn anew."""
+        """`settings`: all that the frames depend on, as something that JSON can hold; frames of other settings are drawn again."""
         self.folder = Path(folder)
         self.files = [str(self.folder / f"{i:05d}.png") for i in range(count)]
         self.part, self.record = self.folder / "unfinished.png", self.folder / "settings.txt"
         self.settings = hashlib.sha256(json.dumps(settings, sort_keys=True).encode()).hexdigest()
 
     def found(self) -> list[int]:
-        """Numbers of the frames that are there, whole and of these settings."""
+        """Numbers of the existing frames that are complete and of these settings."""
         try:
             same = self.record.read_text(encoding="utf-8") == self.settings
         except OSError:
@@ -46,9 +46,9 @@ class Frames:
         Raises
         ------
         OSError
-            If a frame cannot be written, or is incomplete. The message names the file, the space that is free and that is needed. The frames before are kept.
+            If a frame cannot be written, or is incomplete. The message names the file, the free space and the space needed. Earlier frames are kept.
         KeyboardInterrupt
-            If Control-C is pressed; its message tells how to go on.
+            If Control-C is pressed; its message says how to continue.
         """
         found = self.found()
         try:

@@ -35,5 +35,5 @@ def warn_of_order() -> None:
     """Warns if eccodes has been imported before VTK of the Python package index, and VTK not by `own_symbols`."""
     names = list(sys.modules)
     if INTRUDER in names and VTK in names and names.index(INTRUDER) < names.index(VTK):
-        warnings.warn("eccodes was imported before VTK, whose libraries it disturbs: Python will end at the first scalar bar ('std::bad_alloc'). Import nephoscope or pyvista before eccodes and cfgrib, and "
+        warnings.warn("eccodes was imported before VTK and conflicts with its libraries: Python will crash at the first scalar bar ('std::bad_alloc'). Import nephoscope or pyvista before eccodes and cfgrib, and "
                       "before xarray opens a file.", RuntimeWarning, stacklevel=4)

@@ -161,7 +161,7 @@ class Vectors:
         full = float(min(greatest, LONG * usual))
         if greatest > TOLD * usual and self.maximum_speed is None:
             warnings.warn(f"The array {self.array!r} has vectors of a length of up to {greatest:.3g}, but 99 % are not longer than {usual:.3g}: vectors longer than {full:.3g} "
-                          "are drawn as if they were that long. Replace wrong values, or pass vectors['maximum_speed'].", UserWarning, stacklevel=level_of_caller())
+                          "are clamped to this length. Replace wrong values, or pass vectors['maximum_speed'].", UserWarning, stacklevel=level_of_caller())
         return full
 
     def _suit_to_medium(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:

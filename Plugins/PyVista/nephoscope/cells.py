@@ -66,7 +66,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
               tone_mapping: ToneMapping = "contrast", **old: Unpack[OldCellNames]) -> pyvista.Volume:
     """Add a grid of 3-D cells to a plotter as a volume drawn by `vtkCellCompositingMapper`.
 
-    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`, or an array of yours with ``opacity='extinction'``. Scalars vary inside cells as `interpolation` says.
+    The extinction coefficient is opacity * `opacity_scale` / `opacity_unit_distance`, or your own array with ``opacity='extinction'``. Scalars vary inside cells as `interpolation` says.
     Arguments that `pyvista.Plotter.add_volume` also has mean the same here unless noted.
 
     Parameters
@@ -76,13 +76,13 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     grid : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray
         Tetrahedra, hexahedra, voxels, wedges, pyramids or convex polyhedra, structured or not. A MultiBlock is combined into one grid with
         coincident points merged; blocks without 3-D cells or without the requested arrays are skipped, with a warning. A 3-D numpy array becomes
-        an ImageData, data of xarray become the mesh of ``dataset.nephoscope.mesh()``, with true heights; the scalar bar then has the
-        name and the unit of the field and, if they are on a globe and the sub-plot is empty, the Earth is drawn below them.
+        an ImageData. Data of xarray become the mesh of ``dataset.nephoscope.mesh()``, with true heights; the scalar bar then has the
+        name and the unit of the field. If they are on a globe and the sub-plot is empty, the Earth is drawn below them.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values of shape (n_points,) or (n_cells,). Masked values count as missing. Default: the active scalars, otherwise the first numeric
         array, otherwise vectors; none if `color` is given or the grid has no arrays. Unlike `add_volume`, this does not change `grid`.
     component : int, optional
-        If `scalars` are vectors or tensors: the component to draw, from 0. Default: their magnitude. The title of the scalar bar tells which.
+        If `scalars` are vectors or tensors: the component to draw, from 0. Default: their magnitude. The title of the scalar bar says which.
     color : ColorLike, optional
         One colour for the whole volume; `scalars` then set the opacity only. Without `scalars` the medium is uniform. Default for a grid
         without arrays: the theme's colour of meshes.
@@ -92,8 +92,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     opacity : str, float or sequence of float, optional
         A name: ``'linear'``, ``'geom'``, ``'sigmoid'``, ``'sigmoid_5'``, ..., each also with ``'_r'``, or ``'foreground'``; one value; or values
         from 0 to 1 at equal steps over `clim`. Evaluated in floating point, not in 8 bits. Opacities of points or cells are an array of the grid,
-        `opacity_scalars`. ``'extinction'``: an array is the extinction coefficient itself, in 1/length of the grid, so that a length L of extinction b lets through exp(-b L). It is
-        `opacity_scalars`, otherwise `scalars`, otherwise an array ``Extinction`` or the default scalars; `opacity_unit_distance` and `opacity_clim` are not given then.
+        `opacity_scalars`. ``'extinction'``: an array is the extinction coefficient itself, in 1/length of the grid, so that a length L of extinction b transmits exp(-b L). It is
+        `opacity_scalars`, otherwise `scalars`, otherwise an array ``Extinction`` or the default scalars. Do not give `opacity_unit_distance` and `opacity_clim` then.
         Default: the preset's if there is one, otherwise ``'linear'``.
     clim : sequence of float or float, optional
         Scalars of the first and last colour; one number c means (-c, c). Default: the preset's, otherwise the range of the finite scalars,
@@ -113,8 +113,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Multiplies the extinction coefficient, >= 0.
     opacity_unit_distance : float, optional
         Length in world units over which a medium of opacity 1 has an optical depth of 1, > 0. Default: the length that gives rays through the
-        grid a mean optical depth of 2 (0.4 in a uniform medium), with opacities scaled to reach 1, and more transparent where the opacity is concentrated in a small part
-        of the grid. It depends on the size and thickness of the grid and on its opacities, but not on the number of cells. With `clim` (or `opacity_clim`) it assumes opacities that are linear over the range of the scalars, so
+        grid a mean optical depth of 2 (0.4 in a uniform medium), with opacities scaled to reach 1. The medium is more transparent if the opacity is concentrated in a
+        small part of the grid. It depends on the size and thickness of the grid and on its opacities, but not on the number of cells. With `clim` (or `opacity_clim`) it assumes opacities that are linear over the range of the scalars, so
         that in a time series the medium fades as its values do. To compare pictures, pass the same distance for all.
     integration : {"exact", "average"}, default: "exact"
         Integration along a ray inside a tetrahedron: in closed form, or with the mean colour of the two ends.
@@ -136,7 +136,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         Which array to use if points and cells both have an array of that name, or if their numbers are equal.
     contours : int, sequence of float or dict, optional
         Lit, translucent contour surfaces inside the volume, drawn in exact order with it; no geometry is extracted. A number, or a sequence, is
-        the option ``values``. The medium is then 10 times as thin as without, so that they are seen, unless you give one of `opacity`, `opacity_scalars`, `opacity_scale`,
+        the option ``values``. The medium then has a tenth of the extinction, so that the surfaces are visible, unless you give one of `opacity`, `opacity_scalars`, `opacity_scale`,
         `opacity_unit_distance` and `layers`. Options:
 
         - ``values``: the values, or their number at equal steps inside the range.
@@ -180,9 +180,9 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         `sunlight` if there is none; for data of xarray on a globe it uses the sun at their time, as ``dataset.nephoscope.plot`` does. Without an array ``Extinction``, ``'extinction'`` names the array that is the extinction coefficient, per unit of length:
         ``{'direction': (1, 0, 1), 'extinction': 'f'}``; otherwise `cloud_optics` computes it from the water of `grid`. The light then determines `scalars`, opacities and the unit
         distance; `cmap`, `clim` and `opacity_scale` may
-        be given. A light from the sun takes the place of the lights of the renderer, unless it has scene lights, so that the ground is lit as well.
+        be given. A light from the sun replaces the lights of the renderer, unless it has scene lights, so that the ground is lit too.
     exposure : float, optional
-        With `sun`: multiplies the light, > 0. With 1, a light of 0.6 is white. Default: white is a tenth above the light that 2 % of the
+        With `sun`: multiplies the light, > 0. With 1, a light of 0.6 is white. Default: white is 1.1 times the light that 2 % of the
         points in clouds exceed, between 0.15 and 1.2. Set it to compare pictures, and for films in which the sun moves.
     tone_mapping : {"contrast", "linear", "filmic"}, default: "contrast"
         With `sun`: contrast displays the square of the light, like a photographic print, so that shadows are visible; filmic keeps differences

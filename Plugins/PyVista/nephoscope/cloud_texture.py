@@ -108,7 +108,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         Point or cell array that colours the clouds; vectors give their magnitude, or one component if `component` is among the options. Default: none, the clouds have one colour.
     color : ColorLike, optional
         The colour without `scalars`. Default: white; on a bright background a bluish grey with soft edges and weak shades, unless
-        the plotter has another surface, such as the ground. White clouds before a blue or dark background look more like clouds.
+        the plotter has another surface, such as the ground. White clouds look more natural on a blue or dark background.
     coverage : float or str, optional
         Fraction of the surface that is cloud, 0 to 1, or the name of a point array with it, such as the cloud fraction of a model. Default: 0.5;
         with ``thickness_effect="threshold"``, which adds cloud where it is thick, 0.1.
@@ -155,18 +155,18 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         faces, or a point or cell array of `density_volume`.
     density_volume : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray, optional
         With `use_thickness`: cloud density in space, integrated exactly along rays inside the surface; for example the grid from which the surface
-        was made. `density` is then by default its active array, or else the first one.
+        was made. `density` is then by default its active array, otherwise the first one.
     layers : int, default: 8
-        With `use_thickness`: greatest number of clouds behind one another in a pixel, 2 to 16.
+        With `use_thickness`: maximum number of clouds behind one another in a pixel, 2 to 16.
     coordinates : sequence of 2 str, default: ("TextureCoordinates1", "TextureCoordinates2")
         Point arrays of texture coordinates. Missing arrays are ignored.
     peels : int, default: 8
         Number of depth peels of the renderer, which draw clouds behind one another in order. Multi-sampling is turned off for it. 0: the plotter
         is not changed.
     sun : sequence of 3 float, str, dict or True, optional
-        Lights the surface by the sun, given as in `add_cells`. A surface that `cloud_surface` has made of data with light carries its array ``Sunlight``, with the
-        shadows of the clouds: True takes that. Otherwise the surface is in the sun but for the night of a globe and the shadows of ``{'clouds': lit_clouds}``. A
-        light from the sun takes the place of the lights of the renderer, unless it has scene lights, so that slopes and the ground are lit as well.
+        Lights the surface by the sun, given as in `add_cells`. A surface made by `cloud_surface` from lit data carries the array ``Sunlight``, with the shadows of
+        the clouds: True uses it. Otherwise the surface is sunlit, except on the night side of a globe and in the shadows of ``{'clouds': lit_clouds}``. A light
+        from the sun replaces the lights of the renderer, unless it has scene lights, so that slopes and the ground are lit too.
     exposure, tone_mapping
         As in `add_cells`.
     **options

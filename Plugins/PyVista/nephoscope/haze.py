@@ -23,7 +23,7 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
              radius: float | None = None, center: Numbers = (0, 0, 0), up: Numbers = (0, 0, 1),
              base_level: float = 0.0, sun: Any = None, asymmetry: float = 0.5, cloud_shadows: bool = True,
              render: bool = True) -> vtkHaze:
-    """Add haze, thinner with altitude, in front of everything in the active renderer of a plotter. It replaces earlier haze.
+    """Add haze, less dense with altitude, in front of everything in the active renderer of a plotter. It replaces earlier haze.
 
     Defaults come from the scene: the ground and exaggeration of `mesh.nephoscope.globe(...)`; without it a globe if the scene lies around the
     origin and is as large as the Earth, otherwise flat ground under the scene.
@@ -39,14 +39,14 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
         vertical exaggeration.
     visibility : float, optional
         Meteorological visibility: the distance, along the ground at altitude 0, at which 2 % of the contrast is left, in units of the scene, >
-        0. Real air has 1e4 to 3e5 m. Default: 24.5 displayed scale heights, and over a scene
-        without a globe or map at least 5.7 widths of the scene.
+        0. Real air has 1e4 to 3e5 m. Default: 24.5 displayed scale heights; without a globe
+        or map, at least 5.7 widths of the scene.
     scale_height : float, optional
         Height, before exaggeration, over which the haze density falls to 1/e, > 0. Default: 8000 m with a result of
         ``mesh.nephoscope.globe(...)``, 0.5 % of the radius on any other globe, otherwise a third of the height of the scene, at
         least a tenth of its width.
     color : color_like, optional
-        Colour of thick haze. Default: a pale blue, (0.72, 0.8, 0.9).
+        Colour of opaque haze. Default: a pale blue, (0.72, 0.8, 0.9).
     background : bool, default: True
         Draws haze over the background too.
     vertical_exaggeration : float, optional
@@ -62,13 +62,13 @@ def add_haze(plotter: pyvista.Plotter, mesh: pyvista.DataSet | None = None, *, v
     base_level : float, default: 0.0
         Map: coordinate along `up` at altitude 0. If the ground is found from the scene, it is measured from the lowest point of the scene.
     sun : sequence of 3 float, str, dict or True, optional
-        Lights the haze by the sun, given as in `add_cells`: haze is brightest around the sun and dark at night, and its colour is that which it has where the
-        phase function is 1. True: the sun of `mesh`, or of a lit mesh in the scene. A date and time needs `mesh`, or is seen from
-        ``{'place': (longitude, latitude)}``. Default: none; haze has its colour wherever it is.
+        Lights the haze by the sun, given as in `add_cells`: haze is brightest around the sun and dark at night, and has `color` where the phase function is
+        1. True: the sun of `mesh`, or of a lit mesh in the scene. A date and time needs `mesh` or ``{'place':
+        (longitude, latitude)}``. Default: none; haze has the same colour everywhere.
     asymmetry : float, default: 0.5
         With `sun`: asymmetry parameter of the haze, -0.95 to 0.95; 0 for air, 0.7 for particles.
     cloud_shadows : bool, default: True
-        With `sun`: clouds that are lit by the same sun, as ``add_cells(..., sun=...)`` lights them, cast shadows in the haze, with shafts of light between them.
+        With `sun`: clouds lit by the same sun, as by ``add_cells(..., sun=...)``, cast shadows in the haze, with shafts of light between them.
     render : bool, default: True
         Renders again if the plotter has rendered before.
 

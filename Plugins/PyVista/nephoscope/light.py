@@ -53,14 +53,14 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
     Parameters
     ----------
     mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset or xarray.DataArray
-        The mesh with the extinction, as `cloud_optics` makes it; smoke of `flow_volume` or `smoke_puffs`, which needs none; or with `clouds` a surface, such
-        as the ground, that gets their shadows. It is not changed. A MultiBlock is combined into one grid, so that its blocks cast shadows on one another.
+        The mesh with the extinction, as from `cloud_optics`; smoke of `flow_volume` or `smoke_puffs`, which needs no such array; or, with `clouds`, a
+        surface such as the ground, which gets their shadows. It is not changed. A MultiBlock is combined into one grid, so that its blocks cast shadows on one another.
     direction : sequence of 3 float, str or datetime.datetime, optional
         Direction towards the sun in the coordinates of the mesh, or a date and time, as in `time`. Default: (1, -1, 1).
     time : str or datetime.datetime, optional
         Date and time in UTC, such as ``"2011-10-11 18:30"``, instead of a direction; also a date of NumPy, pandas or cftime. A datetime with a time zone is converted to UTC.
     place : sequence of 2 float, optional
-        Longitude and latitude (degrees) of the place for which the sun is computed at `time`, if the mesh is not a globe from `to_globe`; x points east
+        Longitude and latitude (degrees) for which the sun is computed at `time`, if the mesh is not a globe from `to_globe`; x points east
         and y north there. Default: the middle of a map from `to_globe`, with a warning if it is wider than 30 degrees; otherwise (0, 0), with a warning.
     up : str or sequence of 3 float, default: "z"
         The direction upwards from flat ground: an axis of the mesh, such as ``"y"`` or ``"-z"``, or a vector. On a globe up is away from its centre. The default `direction`, and
@@ -76,8 +76,8 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
     sky_light : float, default: 0.08
         Irradiance from the sky under an overhead sun, as a fraction of the sun's irradiance, 0 to 10.
     periodic : bool, default: False
-        The clouds of an image, a rectilinear or a structured grid repeat beyond its sides, as in a model with periodic boundaries: they cast shadows into the grid and
-        scatter light into it. If the extinction is equal on opposite sides, these sides count as the same points. Otherwise the next copy begins one grid spacing beyond the last
+        The clouds of an image, a rectilinear or a structured grid repeat beyond its sides, as in a model with periodic boundaries. The copies cast shadows into the
+        grid and scatter light into it. If the extinction is equal on opposite sides, these sides count as the same points. Otherwise the next copy begins one grid spacing beyond the last
         points. False: no shadows come from beyond the sides, which are mirrors for diffuse light.
     multiple_scattering : bool, default: True
         Includes light that is scattered more than once.
@@ -85,16 +85,16 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
         Number of directions of the diffuse light: zenith angles in each hemisphere (1 to 16), azimuth angles (4 to 64; twice as many at
         zenith angles with larger solid angles).
     eye : sequence of 3 float or "camera", optional
-        Position of the eye for which ``Sunlight`` is computed. ``"camera"``: the light of the sun's beam is kept in an array of its own, and `add_cells` draws what goes
-        towards the camera of each frame. Default: the mean over all directions.
+        Position of the eye for which ``Sunlight`` is computed. ``"camera"``: the light of the sun's beam is kept in a separate array, and `add_cells` draws the light
+        scattered towards the camera of each frame. Default: the mean over all directions.
     parallel : bool, default: False
         True: `eye` is the direction towards a distant eye.
     phase_function : {"henyey-greenstein", "double-henyey-greenstein", "droplets"}, default: "henyey-greenstein"
-        With ``eye="camera"``: how much of the sun's beam is scattered into each direction. The first has the mean asymmetry parameter of the mesh; the two others are those of
-        water droplets in green light, with an effective radius of 10 micrometres. ``"droplets"`` is computed by Mie's theory, and has fogbow and glory.
+        With ``eye="camera"``: the distribution of scattered light over directions. The first has the mean asymmetry parameter of the mesh; the other two are for water
+        droplets in green light, with an effective radius of 10 micrometres. ``"droplets"``, from Mie theory, has fogbow and glory.
     clouds : pyvista.DataSet, optional
-        Clouds that have light from the same sun: direct sunlight reaches the mesh only as far as they let it through. Without `direction` and `time`
-        the sun is theirs.
+        Clouds lit by the same sun, which attenuate the direct sunlight on the mesh. Without `direction` and `time` the sun is that of the
+        clouds.
 
     Returns
     -------
@@ -141,8 +141,8 @@ def _warn_of_wide_map(mesh: pyvista.DataSet, say: Callable[[str], str]) -> None:
     longitude, latitude = _middle_of_map(mesh)
     width = np.ptp(mesh.bounds[:2])
     if "GlobeGridProjection" in mesh.field_data and not is_on_globe(mesh) and width > np.radians(30) * float(mesh.field_data["PlanetRadius"][0]):
-        warnings.warn(f"A map has one sun: at {say('time')}, it is that of its middle, longitude {longitude:.0f} and latitude {latitude:.0f}. Give {say('place')}, or draw a globe, whose night "
-                      "is where it belongs.", RuntimeWarning, stacklevel=4)
+        warnings.warn(f"A map has one sun: at {say('time')}, it is that of the middle, longitude {longitude:.0f} and latitude {latitude:.0f}. Give {say('place')}, or draw a globe, which "
+                      "has day and night.", RuntimeWarning, stacklevel=4)
 
 
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, up: Numbers | str, extinction: str,
@@ -268,7 +268,7 @@ def lit(mesh: pyvista.DataSet, sun: Any, needs_cells: bool = True, resolve: Call
     if sun is True and {"Sunlight", "ScaledExtinction"} <= set(mesh.point_data):
         return mesh
     if needs_cells and cell_dimension(mesh) < 3:
-        raise ValueError(f"sun: a {type(mesh).__name__} without 3-D cells gives light no path. Compute the light on a grid, mesh.nephoscope.sunlight(), "
+        raise ValueError(f"sun: light cannot be computed on a {type(mesh).__name__} without 3-D cells. Compute it on a grid, mesh.nephoscope.sunlight(), "
                          "sample it at the points, and pass sun=True.")
     given = options_of(sun)
     of_water, of_light = ({name: given.pop(name, value) for name, value in defaults.items()} for defaults in (_defaults(cloud_optics), {**_defaults(sunlight), **defaults}))

@@ -51,9 +51,9 @@ def cloud_optics(mesh: AnyMesh, water: str = "", *, liquid: str = "", ice: str =
         Cloud liquid, cloud ice, rain and snow.
     temperature, pressure, cloud_fraction, land, height : str, optional
         Temperature (K, or °C if its units say so), pressure (Pa or hPa), cloud fraction and land fraction (0 to 1), height (m). Without a pressure array,
-        the pressure is in hydrostatic balance with the heights of a structured grid, and for other meshes that of the standard atmosphere at their
-        heights. In a mesh of ``dataset.nephoscope.grid()``, potential temperature and density are used too, z is the height, and the standard atmosphere
-        gives what is missing, with a warning. If there is a cloud fraction, but no water, clouds have the water that is usual at their height, with a warning.
+        the pressure is in hydrostatic balance with the heights of a structured grid; for other meshes it is that of the standard
+        atmosphere. In a mesh of ``dataset.nephoscope.grid()``, potential temperature and density are used too, z is the height, and the standard atmosphere
+        gives missing values, with a warning. If there is a cloud fraction but no water, clouds get the usual water at their height, with a warning.
     units : {"automatic", "kg/kg", "g/kg", "kg/m3", "g/m3"}, default: "automatic"
         Units of the water. Automatic: those in the file, otherwise kg/kg.
     liquid_radius, ice_radius : float, optional

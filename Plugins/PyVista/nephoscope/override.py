@@ -14,7 +14,7 @@ def override_vtk(enabled=True):
     """Let VTK and PyVista draw volumes of unstructured grids with Cell Compositing.
 
     Scripts need no change: ``vtkProjectedTetrahedraMapper()``, ``vtkUnstructuredGridVolumeRayCastMapper()`` and PyVista's ``add_volume`` of an
-    unstructured grid create mappers that derive from the requested class and draw the exact ray integral. Mappers that exist already do not
+    unstructured grid create mappers that derive from the requested class and draw the exact ray integral. Existing mappers do not
     change. Settings of VTK's mappers that concern sampling and sorting have no effect.
 
     Parameters

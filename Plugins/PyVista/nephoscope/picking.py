@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Clicks that pick what is seen in volumes of cells."""
+"""Clicks that pick what is visible in volumes of cells."""
 from __future__ import annotations
 
 import math
@@ -13,7 +13,7 @@ from ._medium import require_plotter
 
 
 class Picked(NamedTuple):
-    """What is seen at a pixel."""
+    """What is visible at a pixel."""
 
     position: tuple[float, float, float]  # world coordinates
     cell: int
@@ -23,17 +23,17 @@ class Picked(NamedTuple):
 
 
 def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] | None = None, *, side: str = "left") -> None:
-    """Pick with a click what is seen in the volumes of `add_cells`: the medium, or a contour surface.
+    """Pick with a click what is visible in the volumes of `add_cells`: the medium, or a contour surface.
 
-    The position is where the ray has become as opaque as ``mapper.SetPickOpacity`` sets, 0.1 by default. If several volumes are seen, the nearest
-    position counts. Behind an opaque surface nothing is picked. Dragging still turns the view.
+    The position is where the accumulated opacity along the ray reaches that of ``mapper.SetPickOpacity``, 0.1 by default. If several volumes are
+    visible, the nearest position counts. Behind an opaque surface nothing is picked. Dragging still turns the view.
 
     Parameters
     ----------
     plotter : pyvista.Plotter
         The plotter; clicks in all its renderers pick.
     callback : callable, optional
-        Called with what is picked: `position` (world coordinates), `cell` and `point` (numbers in ``actor.mapper.dataset``), `scalar` (of the coloured
+        Called with the result: `position` (world coordinates), `cell` and `point` (numbers in ``actor.mapper.dataset``), `scalar` (of the coloured
         array, at the position) and `actor` (the volume). Default: the window shows these values.
     side : {"left", "right"}, default: "left"
         The button of the mouse.

@@ -43,8 +43,8 @@ class SatelliteImage:
     longitude, latitude : numpy.ndarray or None
         Degrees east and north of the visible ground; None for data that are not on a globe.
     x, y : numpy.ndarray or None
-        Coordinates of the visible ground in the mesh, for data that are not on a globe. With another axis upwards, those of the mesh turned so that z is up: where y
-        is up, x and -z.
+        Coordinates of the visible ground in the mesh, for data that are not on a globe. If another axis is up, those of the mesh turned so that z is up: where y is
+        up, x and -z.
     """
     reflectance: np.ndarray
     sun_zenith: np.ndarray
@@ -124,8 +124,8 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
         globe becomes a map of equal steps in longitude and latitude. Three numbers: the direction towards a distant satellite. Automatic: geostationary for
         globes, otherwise nadir. Flat ground is at the lowest point of the mesh, along the upward direction of its light.
     sun : sequence of 3 float, str, dict or True, optional
-        The sun, as in `add_cells`. The light is computed for this view, unless a dict says otherwise; on a structured globe whose points are more than 1.25
-        degrees apart, it is computed on a finer grid, between whose points extinctions are interpolated. Default: the light in the mesh.
+        The sun, as in `add_cells`. The light is computed for this view, unless a dict says otherwise. On a structured globe whose points are more than 1.25
+        degrees apart, it is computed on a finer grid with interpolated extinctions. Default: the light in the mesh.
     size : sequence of 2 int, default: (800, 800)
         Width and height in pixels.
     longitude : float, optional
@@ -149,7 +149,7 @@ def satellite_image(mesh: AnyMesh, view: str | Numbers = "automatic", *, sun: An
     Warns
     -----
     UserWarning
-        If the points of a globe are too far apart for light between them, and there is no finer grid: light that the mesh has already, no structured grid, or too many points.
+        If the points of a globe are too far apart to resolve the light, and a finer grid cannot be used: because the mesh is already lit, is not a structured grid, or has too many points.
     """
     mesh = one_mesh(mesh)
     if len(size) != 2 or min(size) < 1:

@@ -34,7 +34,7 @@ def serve(plotter: pyvista.Plotter, *, port: int = PORT, host: str = "127.0.0.1"
     port : int, default: 8080
         Port of the web server, 0 to 65535. 0: any free port.
     host : str, default: "127.0.0.1"
-        Address that the server listens at; ``"0.0.0.0"`` for all addresses of this machine. Everyone who can reach the address can turn the picture.
+        Address on which the server listens; ``"0.0.0.0"`` for all addresses of this machine. Everyone who can reach the address can see and turn the picture.
     open_browser : bool, default: True
         Open the page in the default browser, if there is one.
     title : str, default: "Nephoscope"
@@ -47,7 +47,7 @@ def serve(plotter: pyvista.Plotter, *, port: int = PORT, host: str = "127.0.0.1"
     TypeError, ValueError
         If an argument has a wrong type or value.
     RuntimeError
-        If an event loop is running already, as in a notebook.
+        If an event loop is already running, as in a notebook.
     """
     require_plotter(plotter)
     server = make_server("nephoscope-serve")

@@ -68,7 +68,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     initial_density : float, default: 1.0
         Density at the polygon.
     polygon_edge_length : float, optional
-        Greatest edge length of the triangles into which the polygon is divided, > 0. Default: a quarter of the polygon's extent; longer if
+        Maximum edge length of the triangles into which the polygon is divided, > 0. Default: a quarter of the polygon's extent; longer if
         `max_tetrahedra` requires it.
     max_edge_length : float, optional
         Longer edges of a layer are split, > 0. Default: three times the longest edge of the polygon's triangles, or the distance that the flow
@@ -82,7 +82,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     tolerance : float, default: 1e-6
         Error tolerance of one step of ``"rk45"``, relative to the longest edge of the polygon's triangles; 1e-14 to 1.
     max_tetrahedra : int, default: 100_000
-        Greatest number of tetrahedra, >= 1. The filter coarsens the volume until the whole duration fits, and warns if the result is coarser
+        Maximum number of tetrahedra, >= 1. The filter coarsens the volume until the whole duration fits, and warns if the result is coarser
         than requested.
     times : sequence of float, optional
         The times of the meshes, two or more, increasing. The flow is unsteady and interpolated linearly in time. Smoke older than `duration` is
@@ -98,8 +98,8 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     -------
     pyvista.UnstructuredGrid
         Tetrahedra. Cell arrays: ``EmissionStep`` (number of the time step), ``Age`` (s since the smoke left the polygon), ``Density``;
-        the sum of density times volume is the emitted mass. Point arrays: ``Age`` and those of `mesh`. Field arrays: ``EmittedMass``, ``LostMass``, the part that is
-        not in the volume, and of the latter, in a steady flow, ``ObstacleMass``, which ended at bodies inside the data, and ``FoldedMass``, of prisms that would have folded.
+        the sum of density times volume is the emitted mass. Point arrays: ``Age`` and those of `mesh`. Field arrays: ``EmittedMass``; ``LostMass``, the part that is
+        not in the volume. In a steady flow ``LostMass`` includes ``ObstacleMass``, which ended at bodies inside the data, and ``FoldedMass``, of prisms that would have folded.
 
     Raises
     ------
@@ -217,7 +217,7 @@ def smoke_puffs(volume: pyvista.UnstructuredGrid, time: float = 0.0, *, period: 
         Time of the result, in seconds. Times that differ by a period give the same puffs.
     period : float, optional
         Time from one puff to the next, in seconds, > 0; with the default `width` at least four time steps of the volume, because puffs that fall
-        between cells flicker. Default: a quarter of the greatest age.
+        between cells flicker. Default: a quarter of the maximum age.
     width : float, default: 0.5
         Length of a puff, as a fraction of the period, up to 1.
     floor : float, default: 0.1

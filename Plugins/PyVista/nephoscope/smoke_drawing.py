@@ -41,16 +41,16 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
         light.
     reference_density : float, optional
         The density to which `optical_depth` refers, > 0. Default: in smoke of an unsteady flow (`flow_volume` with `times`) the density at the polygon,
-        so that the frames of a film are comparable; otherwise the mean ``Density``, with which any smoke is well visible. To compare pictures of steady
+        so that the frames of a film are comparable; otherwise the mean ``Density``, so that any smoke is visible. To compare pictures of steady
         smoke, pass the same density for all: `initial_density` of `flow_volume`, 1 by default.
     sun : sequence of 3 float, str, dict or True, optional
-        Draws the smoke as the sun shows it, as in `add_cells`: with its own shadow, and that of clouds, ``{'direction': (1, 0, 0.5), 'clouds': lit_clouds}``. Smoke
-        scatters as that of vegetation fires does: ``'albedo'`` 0.9, ``'asymmetry'`` 0.6. Light that goes straight on counts as let through. `color` multiplies the light.
+        Lights the smoke by the sun, given as in `add_cells`, with its own shadow and that of clouds, ``{'direction': (1, 0, 0.5), 'clouds': lit_clouds}``. The
+        scattering is that of smoke from vegetation fires: ``'albedo'`` 0.9, ``'asymmetry'`` 0.6. Light scattered straight forward counts as transmitted. `color` multiplies the light.
         `exposure` and `tone_mapping` are those of `add_cells`.
     **options
         The other arguments of `add_cells`: `name`, `show_scalar_bar`, ...; with `scalars` also `cmap` and `clim`. Opacities are proportional to the
-        density, however high it is. `opacity` gives another function of it, from 0 to the greatest density or, where that is given or the flow is
-        unsteady, to the `reference_density`.
+        density, however high it is. `opacity` gives another function of the density, from 0 to its maximum or, if `reference_density` is given or
+        the flow is unsteady, to that density.
 
     Returns
     -------
@@ -102,7 +102,7 @@ def _refuse_ranges(has_colours: bool, options: dict[str, Any]) -> None:
     if options.get("opacity_scalars") is not None:
         raise ValueError(f"opacity_scalars is {options['opacity_scalars']!r}; name the array that the opacity of smoke comes from as density.")
     if options.get("opacity_clim") is not None:
-        raise ValueError("opacity_clim is given, but smoke is as opaque as it is dense. Pass reference_density, the density to which optical_depth refers.")
+        raise ValueError("opacity_clim is given, but the opacity of smoke is proportional to its density. Pass reference_density, the density to which optical_depth refers.")
 
 
 def _add_lit(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, density: str, scalars: str | None, color: Any, distance: float, sun: Any,

@@ -36,7 +36,7 @@ def read_vdb(path: str | Path, grids: str | Sequence[str] | None = None, *, imag
         A tile is a cube of voxels with one stored value. True: one point for every voxel of a tile. False: one point for each tile, with the
         point array ``VoxelScale``, if a single grid is read.
     memory_limit : float, default: 4.0
-        Greatest memory of the output, in GiB, > 0. A larger output raises an error.
+        Maximum memory of the output, in GiB, > 0. A larger output raises an error.
 
     Returns
     -------

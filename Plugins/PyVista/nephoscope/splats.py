@@ -121,7 +121,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
 
     Every sample is a kernel in the shape of its grid cell, or a ball if there is no grid. Its extinction coefficient is opacity *
     `opacity_scale` / `opacity_unit_distance`, integrated exactly along every ray. Vectors are streaks on the splats. A point on the boundary of a mesh
-    has the part of its cell that lies inside, so that the mass is that of `add_cells`; the kernels blur the boundary over half a cell. The centres of
+    represents the part of its cell that lies inside, so that the mass is the same as with `add_cells`; the kernels blur the boundary over half a cell. The centres of
     tetrahedra are not evenly spaced: splats of their cell arrays show as dots where few of them lie along the line of sight. Draw these by `add_cells`, or pass
     ``radius_factor=1.25``.
 
@@ -146,7 +146,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         `scalars`.
     opacity_unit_distance : float, optional
         Length in world units over which a medium of opacity 1 has an optical depth of 1, > 0. Default: the length that gives rays through the
-        splats a mean optical depth of 2, with opacities scaled to reach 1, as in `add_cells`; 0.4 in a uniform medium, less where
+        splats a mean optical depth of 2, with opacities scaled to reach 1, as in `add_cells`; 0.4 in a uniform medium, less if
         points are crowded. With `clim` (or `opacity_clim`) it assumes
         opacities that are linear over the range of the scalars, so that in a time series the medium fades as its values do. To compare pictures,
         pass the same distance for all.
@@ -169,8 +169,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         - ``unit``, default ``"image"``: error of the optical depth along the ray through the block. ``"data"``: error of the opacity function's
           value, or of the speed as a fraction of the maximum speed.
         - ``measure``, default ``"picture"``: error of a block as the root of the sum of the squared errors over its pixels, which usually gives
-          the fewest splats; ``"rms"``: root mean square over the block; ``"greatest"``: greatest deviation of a sample.
-        - ``interactive_splats``, default 100,000: greatest number of splats while the camera moves in an interactive window. 0: no limit.
+          the fewest splats; ``"rms"``: root mean square over the block; ``"greatest"``: largest deviation of a sample.
+        - ``interactive_splats``, default 100,000: maximum number of splats while the camera moves in an interactive window. 0: no limit.
         - ``blending``, default 0.1: fraction of the tolerance, 0 to 0.9, over which a block fades in while its samples fade out, so that levels
           of detail do not pop.
     vectors : str or dict, optional
@@ -187,13 +187,13 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
           colour of the splats.
         - ``scalars``, ``cmap``, ``clim``: array that colours the vectors independently of the splats, for example altitude; its magnitude if it
           has several components. Its colour map and range are given as for `cmap` and `clim`.
-        - ``maximum_speed``: length of a vector, in its own unit, at and above which streaks have full opacity, > 0. Default: the greatest length
-          in the data, at most 1.25 times the one that 99 % of the vectors do not exceed, with a warning if there is one of more than twice that; for
-          the mesh of a series, as `animate` draws it, in all steps.
+        - ``maximum_speed``: length of a vector, in its own unit, at and above which streaks have full opacity, > 0. Default: the maximum length
+          in the data, but at most 1.25 times the 99th percentile, with a warning if the maximum is more than twice that. For the mesh of a series,
+          as drawn by `animate`, all steps count.
         - ``fraction``: fraction of the samples whose vectors are drawn, chosen at random, > 0 and <= 1. Fewer streaks are longer and wider.
-          Default: for segments all vectors; for streaks at most as many as give a line of sight the density of 7 streaks of the longest vectors, and
-          at most 6000 in a sheet, which are 8 pixels apart on average where they fill a picture of 600 by 600 pixels, and up to
-          seven times as many in data that are many samples deep.
+          Default: for segments all vectors. The number of streaks is limited to the density of 7 streaks of the longest vectors along a line of
+          sight, and to 6000 in a sheet (up to seven times as many in data that are many samples deep): a mean distance of 8
+          pixels if they fill a picture of 600 by 600 pixels.
         - ``unit``: length of the vector unit, in units of length of the mesh, > 0. Default: the mean length of a cell along its vector, longer if
           ``fraction`` is below 1; for the mesh of a series that of the step with the fastest vectors. To make pictures comparable, pass it and
           ``maximum_speed``.
@@ -208,14 +208,14 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
           streaks from step to step, unless you set ``phase`` here or there.
         - ``true_speed``, default False: patterns move at the speed of their vectors, by length of the vector * ``time_scale`` *
           ``volume.mapper.film_time``, instead of through a loop. ``phase`` and ``phase_cycles`` have no effect then.
-        - ``time_scale``: with ``true_speed``, time that passes in the data in a second of the film, in the time unit of the vectors, > 0: 3600 is
+        - ``time_scale``: with ``true_speed``, time in the data per second of the film, in the time unit of the vectors, > 0: 3600 is
           an hour for vectors in metres per second on a mesh in metres. Default: a round number for which the fastest patterns move by at most
           one period in a second; in a renderer the smallest of all volumes with ``true_speed``, so that their speeds are comparable.
         - ``film_time``, default 0.0: with ``true_speed``, seconds since the start of the film. Change it with ``volume.mapper.film_time``; `animate` does, unless
           you set it.
-        - ``speed_key``: legend of the motion: an arrow as long as the way of a stated speed in a second of the film, the time that passes in
-          it, and the speed of the fastest streaks or the longest segments. Keys of several volumes stand one above the other. Default: with ``true_speed``, if the theme shows scalar bars.
-        - ``speed_unit``: unit of the vectors in the legend. With ``"m/s"``, for a mesh in metres, ways and times have units too. Default:
+        - ``speed_key``: legend of the motion: an arrow as long as the distance that a stated speed covers in a second of the film, the time
+          in the data per second, and the speed of the fastest streaks or the longest segments. Keys of several volumes are placed one above the other. Default: with ``true_speed``, if the theme shows scalar bars.
+        - ``speed_unit``: unit of the vectors in the legend. With ``"m/s"``, for a mesh in metres, distances and times have units too. Default:
           ``"m/s"`` for ``DisplayVelocity``, the winds of a globe, otherwise none.
         - ``phase_cycles``, default 4: number of periods by which the fastest pattern moves in a loop, 1 to 1000.
         - ``phase_steps``, default 0: number of positions of the pattern along its period, 0 to 1000. 0: continuous, for smooth motion; 16: as in

@@ -47,7 +47,7 @@ def viewer(path: str | Path, *, field: str | None = None, technique: str | None 
     ValueError
         If the file cannot be drawn, or the data do not allow an argument.
     RuntimeError
-        If an event loop is running already, as in a notebook.
+        If an event loop is already running, as in a notebook.
     """
     server = make_server("nephoscope-viewer")
     scene = Scene(path)

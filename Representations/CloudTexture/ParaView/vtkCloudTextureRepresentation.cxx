@@ -349,8 +349,7 @@ void vtkCloudTextureRepresentation::WarnOfRanks()
   {
     this->HasToldOfRanks = true;
     vtkWarningMacro(
-      "Each rank finds the thickness of its own part of the clouds only, and has its own part of the Density Volume: at the borders of ranks clouds are drawn too thin or too "
-      "thick. "
+      "Each rank finds the thickness of its own part of the clouds only, and has its own part of the Density Volume, so the thickness is wrong at the borders of ranks. "
       "Draw with one process, or without Use Thickness.");
   }
 }

@@ -74,7 +74,7 @@ public:
     text << "Array '" << arrayName << "' has vectors of a length of up to " << this->Greatest
          << ", but 99 % are not longer than " << this->GetUsual() << ": vectors longer than "
          << full
-         << " are drawn as if they were that long. Replace wrong values, or set MaximumSpeed.";
+         << " are clamped to this length. Replace wrong values, or set MaximumSpeed.";
     return text.str();
   }
 

@@ -99,7 +99,7 @@ class WeatherAccessor:
             Quantities to compute: ``"relative_humidity"`` (1), ``"temperature"``, ``"potential_temperature"`` and ``"equivalent_potential_temperature"`` (K), ``"wind_speed"``
             (m/s), ``"vorticity"`` (1/s), ``"cloud_content"`` and ``"water_vapour"`` (kg/m3), ``"cloud_fraction"`` (1, computed from the humidity if the model has none).
         **options
-            Names of variables for roles that were not found, or found wrongly: ``u``, ``v``, ``w``, ``temperature``, ``specific_humidity``,
+            Names of variables for roles that were not found, or were found wrongly: ``u``, ``v``, ``w``, ``temperature``, ``specific_humidity``,
             ``relative_humidity``, ``pressure``, ``geopotential``, ``geopotential_height``, ``altitude``, ``surface_pressure``, ``terrain``, ``land``,
             and the clouds. False: no variable has this role. All other options are those of `nephoscope.to_globe`, for example ``vertical_exaggeration``.
 
@@ -125,7 +125,7 @@ class WeatherAccessor:
              z: str | None = None, vertical_exaggeration: float = 1.0, derive: str | Sequence[str] = ()) -> pyvista.ImageData | pyvista.RectilinearGrid:
         """Make the mesh of one time step on a flat grid, for data whose x, y and z are lengths: large-eddy simulations and cloud-resolving models.
 
-        Points are in metres, where the dataset has them, and fields are on the points. Fields on faces (Arakawa C) are averaged to the centres. Temperature,
+        Points are in metres, at the positions in the dataset, and fields are on the points. Fields on faces (Arakawa C) are averaged to the centres. Temperature,
         pressure and density may be profiles along z (a base state); they become fields that are the same in every column.
 
         Parameters
@@ -196,9 +196,9 @@ class WeatherAccessor:
         """Integrate a quantity over height, for drawing on a map or on the ground of a globe.
 
         Every level stands for a layer. On pressure, sigma and hybrid levels the mass of a layer is dp/g; on other levels it is the density of the air times the thickness.
-        Layers meet midway between levels, or at the half levels of the model if these are known. The lowest layer above the ground reaches down to it, if the pressure or the
-        height of the ground is known. The uppermost layer of a model goes half a layer beyond its level; pressures, heights and flat grids end at the last level, and
-        flat grids begin at the first one. Missing values count as nothing.
+        Layers meet midway between levels, or at the half levels of the model if these are known. The lowest layer above the ground reaches down to the ground, if its
+        pressure or height is known. The uppermost layer of a model reaches half a layer beyond its level; levels of pressure or height and flat grids end at the last
+        level, and flat grids begin at the first one. Missing values count as 0.
 
         Parameters
         ----------
@@ -265,18 +265,18 @@ class WeatherAccessor:
             File for the picture. Default: a window.
         vertical_exaggeration : float, optional
             Multiplies heights. Default: 30, but less for data that would be higher than 0.4 of their width or of the radius of the planet, such as those of small regions and
-            of the thermosphere, and more for water below the sea level, so that its sides are seen. For a flat grid 1, but more for one that is lower than a tenth of its width (a fifth in a section); the picture tells it.
+            of the thermosphere, and more for water below the sea level, so that its sides are visible. For a flat grid 1, but more if it is lower than a tenth of its width (a fifth in a section); the picture shows the factor.
         opacity, cmap, clim : optional
             As in `nephoscope.add_cells`. Water below the sea level is opaque by default, unless the field is zero almost everywhere.
-            Temperatures of the air are drawn in the lowest level above the ground, and on the outer faces of a flat grid, unless ``opacity`` or another option of
+            Air temperature is drawn at the lowest level above the ground, and on the outer faces of a flat grid, unless ``opacity`` or another option of
             volumes is given. Geopotentials, heights, pressures and densities on levels are drawn as departures from the mean of the level or, for data around the globe, from the zonal mean. The scalar bar
             says which. If one of these options, ``cmap`` or ``clim`` is given, the values themselves are drawn.
         window_size : sequence of 2 int, optional
             Width and height of the picture in pixels. Default: (800, 800), and less high for a map that is wider than high.
         view : sequence of 2 float, str or sequence, optional
-            What the camera looks at. On a globe the longitude and latitude (degrees) that are seen from straight above, ``view=(100, 30)``. Everywhere a camera position of PyVista:
-            ``"xy"``, or position, focal point and upward direction. Default: the middle of the data; of data all round the globe the side on which the field has most, if there is one. Regions of an ocean are seen
-            from the south, obliquely. Maps are seen from above.
+            What the camera looks at. On a globe the longitude and latitude (degrees) that are seen from straight above, ``view=(100, 30)``. For any data, a camera position of
+            PyVista: ``"xy"``, or position, focal point and upward direction. Default: the middle of the data; for data around the whole globe the side with the highest values, if there is one. Regions of an ocean
+            are seen obliquely from the south. Maps are seen from above.
         background : ColorLike, optional
             Colour behind the picture; text is black or white, whichever can be read. Default: that of PyVista's global theme, if it is not white, otherwise black.
         plotter : pyvista.Plotter, optional
@@ -285,7 +285,7 @@ class WeatherAccessor:
         **options
             Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``contours``, ``layers``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
             ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``
-            is the sun at the time of the data; if they have none, or it is night in their middle, a sun 45 degrees above the horizon there, with a warning. A map has the sun of its middle.
+            is the sun at the time of the data. If they have no time, or it is night in their middle, the sun is 45 degrees above the horizon there, with a warning. A map is lit by the sun of its middle.
 
         Returns
         -------
@@ -331,7 +331,7 @@ class WeatherAccessor:
         Returns
         -------
         str
-            Lines to print. Where the grid or the levels are not recognized, they say why and what to do, and list the variables.
+            Lines to print. If the grid or the levels are not recognized, they say why and what to do, and list the variables.
         """
         from .describing import not_understood
         from .horizontal import GridError

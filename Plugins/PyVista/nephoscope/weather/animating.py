@@ -47,18 +47,18 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         function that takes one of `times` and returns the mesh. They are not changed. A mesh may be a MultiBlock, such as an OpenFOAM case: its blocks become one mesh,
         without boundary patches. A mesh may also be the path of a file that `pyvista.read` reads; files are read when they are shown. One path may be that of a
         file with several times (``"case.foam"``, ``"case.pvd"``), or a pattern (``"case_*.vtu"``), whose files are taken in the order of their names.
-        Nothing is drawn of a mesh without points, such as smoke at the time of its release; `draw` gets the first that has points.
+        A mesh without points, such as smoke at the time of its release, draws nothing; `draw` gets the first mesh with points.
         If the meshes move or grow, the camera sees all steps, unless you have set a camera.
     draw : str or callable
         A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, drawn by `add_cells`; or a function ``draw(plotter, mesh)`` that is called once and adds what you
         want to draw. The values of the mesh change with the time; of PyVista meshes, points and cells too. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
-        you give limits with ``clim``. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`, whose streaks move from step to step, also on meshes that
-        stay the same: the fastest by at most their distance in a second of the film, or as their ``true_speed`` says. A ``phase`` or ``film_time`` that you set stays.
+        you give limits with ``clim``. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`, whose streaks move from step to step, even on meshes that
+        do not change: the fastest by at most their distance in a second of the film, or by ``true_speed``. A ``phase`` or ``film_time`` that you set is kept.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg, on the path or of the package imageio-ffmpeg), or a folder for PNG pictures. Default: a slider of time.
-        Until the film is complete, its frames are kept in the folder ``<filename>.frames`` beside it, or in the folder for PNG pictures itself. The same call after an interruption goes on from there: it draws the newest of these frames
-        once more, and begins anew if this differs from what was kept, or if the options, the times, the size of the window or the data differ. Files are compared by their size and time,
-        meshes in memory by their values; of a function only what it draws in that frame. To begin anew in any case, remove the folder.
+        Until the film is complete its frames are in the folder ``<filename>.frames`` next to it. After an interruption the same call continues from there. It draws the newest of these
+        frames once more, and starts again if this differs from the one that was kept, or if the options, the times, the size of the window or the data differ. Files are compared by
+        their size and time, meshes in memory by their values, functions only by what they draw in that frame. To start again in any case, remove the folder.
     times : sequence, optional
         Of PyVista meshes: their times as numbers, dates or words, which are written into the picture. Default: their numbers.
         Numbers and dates, also as the keys of a dict, are sorted, and the meshes with them.
@@ -88,7 +88,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     ValueError
         If there are no meshes, or the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
     OSError
-        If a frame or the film cannot be written, as on a full disk: with the file, the space that is free and that is needed. If none of the time steps can be read.
+        If a frame or the film cannot be written, as on a full disk: the message names the file, the free space and the space needed. If none of the time steps can be read.
     KeyboardInterrupt
         If Control-C is pressed; the message says how many frames are kept.
 

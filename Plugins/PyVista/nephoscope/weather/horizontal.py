@@ -136,12 +136,12 @@ def find_horizontal(dataset, variable, used: set[str]) -> Horizontal:
 def _refuse_flat(dataset, variable) -> None:
     from .flat import is_flat
     if is_flat(dataset):
-        raise GridError(f"The axes of {variable.name!r} are lengths and not places on the Earth, so the data are flat: use ds.nephoscope.grid() for the mesh. plot() and add_cells() draw "
+        raise GridError(f"The axes of {variable.name!r} are lengths and not positions on the Earth, so the data are flat: use ds.nephoscope.grid() for the mesh. plot() and add_cells() draw "
                         "them flat.")
 
 
 def _why_not(dataset, variable, dims, projection, missing: str) -> str:
-    """Why the points of a variable have no places, and the remedy."""
+    """Why the points of a variable have no positions, and the remedy."""
     if len(dims) == 1 and (fixed := _fixed(dataset, dims[0])):
         return section(*fixed)
     if projection is None and not mapping_of(dataset, variable) and any(_is_projected(dataset, dim) for dim in dims):

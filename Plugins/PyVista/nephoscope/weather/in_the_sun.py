@@ -65,7 +65,7 @@ def _sun_of_data(date: str | None, grid: pyvista.DataSet) -> dict[str, Any]:
         told = f"it is night in the middle of the data at their time, {date} UTC"
     else:
         return {"time": date}
-    warnings.warn(f"sun=True: {told}, so that a sun {90 - SLANT:g} degrees above the horizon in the west lights their middle. For another give a date and time, sun='2020-06-21 12:00', or a direction.",
+    warnings.warn(f"sun=True: {told}, so that a sun {90 - SLANT:g} degrees above the horizon in the west lights their middle. For another sun give a date and time, sun='2020-06-21 12:00', or a direction.",
                   UserWarning, stacklevel=level_of_caller())
     return {"direction": _above(grid, middle)}
 

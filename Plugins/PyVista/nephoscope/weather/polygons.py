@@ -26,7 +26,7 @@ def find_polygons(dataset, horizontal) -> Polygons:
         found = way(dataset, horizontal)
         if found is not None:
             return _counter_clockwise(found)
-    raise GridError(f"The points of ({horizontal.dims[0]}) have no places. Give the mesh file: nephoscope.open(DATA, mesh=GRID).")
+    raise GridError(f"The points of ({horizontal.dims[0]}) have no positions. Give the mesh file: nephoscope.open(DATA, mesh=GRID).")
 
 
 def _degrees(variable) -> np.ndarray:

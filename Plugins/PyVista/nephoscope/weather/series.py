@@ -33,8 +33,8 @@ class UnreadableStep(OSError):
 class Series(Sequence):
     """The meshes of all time steps, each made on demand, and `mesh`, whose values `show` replaces.
 
-    The cells of `mesh` stay those of the first step, unless a kind of series says otherwise. If a function draws an array of `mesh` without limits of its own,
-    colours and opacities cover the range of all steps; of more than 50 steps, 50 evenly spaced ones are sampled, including the first and the last.
+    The cells of `mesh` stay those of the first step, unless a kind of series says otherwise. If a function draws an array of `mesh` without limits, colours
+    and opacities cover the range of all steps. If there are more than 50, 50 evenly spaced steps are sampled, including the first and the last.
     """
 
     def __init__(self, times: list[str]) -> None:

@@ -162,5 +162,5 @@ def _require_plausible(values: np.ndarray, quantity: str, name: str) -> None:
     finite = values[np.isfinite(values)]
     least, most = _PLAUSIBLE[quantity]
     if finite.size and not (least <= finite.min() and finite.max() <= most):
-        raise UnitsError(f"{name!r} has no units, and its values, {finite.min():g} to {finite.max():g}, are no {quantity} in {UNITS[quantity][0]}. "
+        raise UnitsError(f"{name!r} has no units, and its values, {finite.min():g} to {finite.max():g}, are not plausible for {quantity} in {UNITS[quantity][0]}. "
                          f"Set them: ds[{name!r}].attrs['units'] = {'degC' if quantity == 'temperature' and -120 <= finite.min() and finite.max() <= 70 else '...'!r}.")
