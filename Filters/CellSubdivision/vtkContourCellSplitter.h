@@ -12,11 +12,11 @@
  *                          and the triangles and quadrilaterals of the contour surfaces
  *
  * Every 3-D cell that a value crosses is divided into tetrahedra, pyramids, wedges and hexahedra that lie on one side of every
- * value, as Max, Crawfis and Becker (1993), section 2, divide cells so that colour and opacity may jump at a contour surface. All
+ * value, as Max, Crawfis and Becker (1993), section 2, divide cells so that colour and opacity may be discontinuous at a contour surface. All
  * other 3-D cells stay unchanged.
  *
- * 1. Give each point a code: which values it is between, or on which one.
- * 2. Divide the crossed cells into tetrahedra; every face as a fan from its least vertex (by x, then y, then z), so that neighbours
+ * 1. Give each point a code: the values between which it lies, or the value on which it lies.
+ * 2. Divide the crossed cells into tetrahedra; every face as a fan from its first vertex (by x, then y, then z), so that neighbours
  *    agree (Dompierre et al. 1999). The scalar is linear in each.
  * 3. Divide the tetrahedra into slabs between the values.
  * 4. Give each cut of an edge one number; place it; interpolate the arrays.

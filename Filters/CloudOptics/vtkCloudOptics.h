@@ -8,14 +8,14 @@
  *
  * Each kind of water has the extinction of spheres much larger than the wavelength, beta = 3 q rho / (2 rho_w r_e), with its density rho_w and
  * effective radius r_e; q is a mass mixing ratio and rho the density of the air. The kinds are added (ParticleOptics.h). Extinction is the mean over a cell; with a cloud
- * fraction, radii follow from the water inside the clouds.
+ * fraction, radii are computed from the water inside the clouds.
  *
- * Arrays are found by the names that models use, unless they are set; "none" leaves one out. Pressure is an array, or in hydrostatic balance with
- * heights and temperatures of the columns of structured data, from the standard atmosphere at the lowest point; without columns, that of
- * the standard atmosphere at the height.
+ * Arrays are found by the names that models use, unless they are set; "none" leaves one out. Without an array of pressure, it is in hydrostatic
+ * balance with heights and temperatures of the columns of structured data, from the standard atmosphere at the lowest point; in data
+ * without columns it is that of the standard atmosphere.
  *
  * Arrays written, float, on points, or on cells where the water is:
- * - Extinction, 1/m of the lengths in the data. Where vtkGlobeGrid has exaggerated the heights it is divided by the exaggeration, so that the
+ * - Extinction, 1/m of the lengths in the data. If vtkGlobeGrid has exaggerated the heights, it is divided by the exaggeration, so that the
  *   vertical optical depth stays that of the model.
  * - SingleScatteringAlbedo, AsymmetryParameter: of the mixture.
  * - LiquidEffectiveRadius, IceEffectiveRadius, micrometres.

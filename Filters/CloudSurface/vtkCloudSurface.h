@@ -13,8 +13,8 @@
  * Max, Crawfis and Becker, "New Techniques in 3D Scalar and Vector Field Visualization", Pacific Graphics 1993, section 4, draw clouds as
  * contour surfaces of the smoothed cloud fraction. Only the contoured array is smoothed; all other arrays are interpolated without smoothing.
  *
- * 1. Smooth, in double precision. Points in one place (the seam and the poles of vtkGlobeGrid's output) get one value.
- * 2. Contour in the space of the indices, where every structured grid is an image, so that VTK's fastest filter can be used; positions
+ * 1. Smooth, in double precision. Points with the same position (the seam and the poles of vtkGlobeGrid's output) get one value.
+ * 2. Contour in index space, where every structured grid is an image, so that VTK's fastest filter can be used; positions
  *    and arrays are interpolated along the edges of the grid.
  * 3. Drop the triangles in cells that are hidden (HIDDENCELL, or a corner HIDDENPOINT), are ghosts of another piece (DUPLICATECELL) or have a
  *    corner without a value.
@@ -28,7 +28,7 @@
  * of length 1. vtkGhostType is not passed on. Cell array written: ContourIndex, int, the index i of the value, as in SetValue(i, v).
  * Coordinates have the precision of the input's points; double for images and rectilinear grids.
  *
- * Abutting grids of a group are smoothed and contoured as one grid: each gets ghost cells from its neighbours (on the same process and with
+ * Adjacent grids of a group are smoothed and contoured as one grid: each gets ghost cells from its neighbours (on the same process and with
  * the same arrays), so that the surface has no crack between them.
  *
  * In parallel each process requests the whole input and contours its part of the cells; the pieces fit together and have the same normals.

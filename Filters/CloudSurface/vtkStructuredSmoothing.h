@@ -9,7 +9,7 @@
  * One iteration is the filter of Max, Crawfis and Becker, "New Techniques in 3D Scalar and Vector Field Visualization", Pacific Graphics
  * 1993, section 4: weights 8, 4, 2, 1 (/64) for centre, faces, edges and corners of 3 x 3 x 3 points. It is done as three passes with
  * weights 1, 2, 1 (/4), one along each axis. A wave of N points along an axis is multiplied by cos^2(pi/N): N = 2 by 0, 4 by 0.5, 8 by
- * 0.853553, 16 by 0.961940. White noise keeps 0.229640 of its standard deviation. At an end of an axis the weights are 3, 1 (/4).
+ * 0.853553, 16 by 0.961940. The standard deviation of white noise is multiplied by 0.229640. At an end of an axis the weights are 3, 1 (/4).
  *
  * Every pass is an exchange between neighbours (SmoothingKernel.h): a constant stays constant exactly, and no value leaves the
  * range of its neighbours. With Conservative, sum (mass * field) is conserved to rounding error, on grids with cells of any
@@ -24,7 +24,7 @@
  * Float and double arrays keep their type, and integers become double. Every component of an array is smoothed separately. All other arrays
  * are passed on. The order of the computation is fixed: the result does not depend on the number of threads.
  *
- * Abutting grids of a group on the same process with the same arrays are smoothed as one grid, so that values at common faces agree.
+ * Adjacent grids of a group on the same process with the same arrays are smoothed as one grid, so that values at common faces agree.
  *
  * In parallel each process requests the whole input, because seam and poles join points with distant indices, and outputs its piece.
  */

@@ -20,8 +20,8 @@
  * 4. Give every prism its density, the emitted mass over its volume.
  * 5. Interpolate every point array of the input to the points.
  *
- * Steady: the flow of the current time step. A prism ends, whole, where one of its corners leaves the data or meets a
- * blanked cell; the rest of the layer goes on, so a volume parts at an obstacle.
+ * Steady: the flow of the current time step. A prism ends as a whole where one of its corners leaves the data or
+ * meets a blanked cell; the rest of the layer continues, so a volume divides at an obstacle.
  * Unsteady: the volume of the smoke released from the start to the current time (streaklines), from a time series that
  * is read once, step by step.
  *
@@ -139,7 +139,7 @@ public:
   ///@}
 
   ///@{
-  /** Greatest edge length of the triangles of the generating polygon; 0 (default): a quarter of the polygon's longest extent. */
+  /** Maximum edge length of the triangles of the generating polygon; 0 (default): a quarter of the polygon's longest extent. */
   vtkSetMacro(PolygonEdgeLength, double);
   vtkGetMacro(PolygonEdgeLength, double);
   ///@}
@@ -238,7 +238,7 @@ public:
 
   ///@{
   /**
-   * Greatest number of tetrahedra in the volume. If it would have more, the filter computes it again with longer edges of the
+   * Maximum number of tetrahedra in the volume. If it would have more, the filter computes it again with longer edges of the
    * layers, a polygon of fewer triangles or longer steps, until the whole duration fits. It warns, unless these settings were
    * automatic and this number is at least the default. Unsteady: fewer edges are split. Default 100,000, which take some tenths
    * of a second.
@@ -263,7 +263,7 @@ public:
    * Results of the last update, in InitialDensity times volume of the dataset: the mass that has come from the polygon, the part of
    * it that has left the data, met a blanked cell or is in cells without volume (which are left out), and the part that is older than Duration (unsteady). What is left is the sum of
    * Density times volume. ObstacleMass is the part of LostMass of a steady flow that ended at obstacles inside the data: bodies, blanked
-   * cells or values that are not numbers, with data again ahead of them. If it is more than 1 % of EmittedMass, a warning says so. FoldedMass is the part of prisms that ended because the flow would have folded them, even
+   * cells or values that are not numbers, with data again ahead of them. If it is more than 1 % of EmittedMass, a warning says so. FoldedMass is the mass of prisms that ended because the flow would have folded them, even
    * in the shortest step.
    */
   vtkGetMacro(EmittedMass, double);

@@ -7,14 +7,14 @@
  * Other filters start from the centre of the bounds, but in a shell of air around a globe or in a bent pipe there is no flow at the centre. This
  * class takes the fastest position in which the largest polygon fits, if smoke from there travels far: on average at least 0.35 of half the diagonal
  * of the bounds. If smoke leaves the data sooner, it follows the flow from up to 400 evenly chosen cells, and from the rims of polygons around the 24
- * best, and takes the position with the greatest product of
+ * best, and takes the position with the largest product of
  * 1. the speed;
  * 2. the length of the path inside the data, up to half of the diagonal of the bounds, in the time that the flow needs for this length at
  *    its initial speed; less if the path stays within an eighth of the diagonal;
  * 3. the radius: 1/50 of the diagonal, or half, a quarter, ... 1/128 of that, such that all points of the polygon across the flow are inside the data;
  * Among positions within 5 % of the best, it takes the one nearest to the centre of the bounds. From there it goes upstream. If the flow enters the data there,
- * with a quarter of the speed or more and room for the polygon, the place is just inside, 1 to 4 radii from the border. The polygon is then up to four times as
- * wide, with as much room around it as in it, as far as the flow at its rim has 60 % of the speed in its middle. Elsewhere it goes up to 0.8 of half the diagonal,
+ * with at least a quarter of the speed and room for the polygon, the position is just inside, 1 to 4 radii from the border. The polygon is then up to four times as
+ * wide, with as much room around it as in it, as long as the flow at its rim has 60 % of the speed in its middle. Elsewhere it goes up to 0.8 of half the diagonal,
  * as long as smoke goes farther, the flow has at least 70 % of the speed and the polygon has room. The same cells give the same position as an image, a grid
  * or unstructured data, on one process or on several. Hosts use it for their defaults; vtkFlowVolume itself does not move its polygon.
  */
@@ -59,7 +59,7 @@ public:
 
   ///@{
   /**
-   * The result: centre, unit vector along the flow, radius, speed, and a score (the product; greater is better, for choosing between parts).
+   * The result: centre, unit vector along the flow, radius, speed, and a score (the product; larger is better, for choosing between parts).
    */
   vtkGetVector3Macro(Center, double);
   vtkGetVector3Macro(Normal, double);

@@ -6,8 +6,8 @@
  *
  *     vtkFlowVolume -> vtkSmokePuffs -> vtkCellCompositingMapper (opacity array SmokeDensity)
  *
- * After section 6 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in 3D Scalar and Vector Field
- * Visualization", Pacific Graphics 1993): the smoke is not released evenly but in puffs, which the flow carries along.
+ * This follows section 6 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in 3D Scalar and Vector Field
+ * Visualization", Pacific Graphics 1993): the smoke is released not evenly but in puffs, which the flow carries along.
  * The output has the points, cells and arrays of the input, not copied, and one more array:
  *
  * - SmokeDensity, double, on cells (or on points, see Association), unit of Density:
@@ -29,7 +29,7 @@
  * Input: cell arrays Age (s) and Density, as written by vtkFlowVolume; for an array on points also the point array Age.
  * If one is missing, an error is reported, and the input is passed on without SmokeDensity. Cells whose Age or Density
  * is not a finite number get 0, with a warning. A puff shorter than two time steps of the flow volume falls between its cells: its brightness
- * and mass then change with the time, which a warning tells once for each period and step.
+ * and mass then change with time, and a warning says so once for each period and step.
  */
 #ifndef vtkSmokePuffs_h
 #define vtkSmokePuffs_h
@@ -70,9 +70,9 @@ public:
 
   ///@{
   /**
-   * Time from one puff to the next, in seconds of the flow. 0 (default): a quarter of the greatest Age of the input, so that
-   * about four puffs are visible. It is found at the first time of a series that is asked for, and kept at other times until the input changes otherwise; of unsteady smoke
-   * it is a quarter of the time range of the series, or of that greatest Age if it is greater.
+   * Time from one puff to the next, in seconds of the flow. 0 (default): a quarter of the maximum Age of the input, so that
+   * about four puffs are visible. It is found at the first requested time of a series, and kept at other times until the input changes in another way. In unsteady smoke it
+   * is a quarter of the time range of the series, or of the maximum Age if that is larger.
    */
   vtkSetClampMacro(Period, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Period, double);

@@ -12,12 +12,12 @@
  * cells into the same triangles. Volumes are conserved, and no tetrahedron is inverted.
  *
  * A cell counts as convex if no vertex lies outside the mean plane of a face by more than the most warped face of the cell is warped,
- * and if the tetrahedra over its least vertex, by which it would be drawn, fill it. Cells with slightly warped faces,
+ * and if the tetrahedra from its first vertex, by which it would be drawn, fill it. Cells with slightly warped faces,
  * as in dual meshes and in layers over terrain, are therefore passed on.
  *
  * A cell is divided by the first of these methods that works:
  * 1. all tetrahedra share one of its vertices;
- * 2. all share one new point, near the middle of the region that sees the whole inside (the cell's kernel);
+ * 2. all share one new point, near the middle of the cell's kernel, the region from which the whole interior is visible;
  * 3. TetGen (Si2015), if the build has it: for cells in which no single point sees everything, including cells with tunnels and cavities.
  *
  * The tetrahedra get every cell array. At new points, point arrays are mean-value interpolations

@@ -108,7 +108,7 @@ public:
   ///@}
 
   ///@{
-  /** Greatest memory of the output, in GiB, > 0. Larger output is rejected with a message. Default: 4. */
+  /** Maximum memory of the output, in GiB, > 0. Larger output is rejected with a message. Default: 4. */
   vtkSetClampMacro(MemoryLimit, double, 1e-9, 1e9);
   vtkGetMacro(MemoryLimit, double);
   ///@}

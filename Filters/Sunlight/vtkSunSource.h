@@ -4,7 +4,7 @@
  * @class   vtkSunSource
  * @brief   one sun for everything in a scene
  *
- * The third input of vtkSunlight takes its output, so that one change moves the sun of all of them. In ParaView its representation lights the view.
+ * Its output is the third input of every vtkSunlight, so that one change moves the sun of all. In ParaView its representation lights the view.
  *
  * Output: vtkPolyData without points. Field data, unit vectors of three components:
  * - SunDirection: towards the sun, for data that are not on a globe

@@ -7,36 +7,36 @@
  *     any dataset with an extinction (vtkCloudOptics)  ->  vtkSunlight  ->  the same with its light as point arrays
  *
  * 1. Follow a ray from every point to the sun, from cell to cell; the extinction is linear in their tetrahedra, as in vtkCellCompositingMapper. A
- *    point whose ray meets the planet is in the night.
+ *    point whose ray meets the planet is on the night side.
  * 2. Compute multiple scattering by discrete ordinates, on structured grids or, for other data, on an image with the same bounds (DiffuseLight.h).
- *    Up is Up, or away from the centre of a planet. The sky is above; the ground below reflects a part of the light.
+ *    The upward direction is Up, or away from the centre of a planet. The sky is above; the ground below reflects a fraction of the light.
  * 3. Write the source function, the light that a point sends to the eye. A volume mapper does the rest (scalars Sunlight, opacities ScaledExtinction).
  *
  * Point arrays written, float; a light of 1 is that of a white surface facing the sun:
  * - Sunlight: pi times the source function, for an eye at ViewPosition, or the mean over all directions.
- * - ScaledExtinction, 1/m: the extinction without light scattered straight ahead, for drawing with Sunlight.
+ * - ScaledExtinction, 1/m: the extinction without light scattered straight forward, for drawing with Sunlight.
  * - SunTransmittance: the fraction of direct sunlight that arrives.
  * - Irradiance, UpwardIrradiance: irradiance of a horizontal surface, by sun and diffuse light from above, and by diffuse light from below.
  * - AbsorbedLight, 1/m: power that becomes heat, per volume; 0 if only the sun's beam is computed.
  *
- * With FollowCamera further arrays, from which mappers compute the light towards the camera, d being the direction in which it goes and P and Q the two factors in PhaseFunction for
- * the angle between d and sunlight: Sunlight + d . DiffuseFlux + P2(d . up) DiffuseSecondMoment + (P - 1) SingleScattering[0] + (Q - 1) SingleScattering[1].
+ * FollowCamera adds arrays from which mappers compute the light towards the camera. With the direction d of that light, and the two factors P and Q in PhaseFunction for the angle
+ * between d and sunlight, it is Sunlight + d . DiffuseFlux + P2(d . up) DiffuseSecondMoment + (P - 1) SingleScattering[0] + (Q - 1) SingleScattering[1].
  * - SingleScattering, two components: light of the sun's beam, times a quarter of the albedo, without a phase function: of light straight from the sun, and of light that has been
- *   scattered before, but straight on.
- * - DiffuseFlux, three components, and DiffuseSecondMoment: how much of the diffuse light comes from above and below rather than from the sides. P2 is the Legendre polynomial.
+ *   scattered before, but straight forward.
+ * - DiffuseFlux, three components, and DiffuseSecondMoment: the direction of the diffuse light, and how much of it comes from above and below rather than from the sides. P2 is the Legendre polynomial.
  * - PhaseFunction, field data: P and Q at angles from 0 to 180 degrees.
  *
- * Smoke, as vtkFlowVolume and vtkSmokePuffs write it, gets extinction, albedo and asymmetry of its own (SmokeOptics.h), unless another array is named.
+ * Smoke, as vtkFlowVolume and vtkSmokePuffs write it, gets its own extinction, albedo and asymmetry (SmokeOptics.h), unless another array is named.
  *
- * The second input is optional: clouds that have their light, in blocks or not. In their shadow there is less sunlight. Light that
- * they scatter does not reach the data. With clouds, data without an extinction and without three-dimensional cells, such as the ground, get the light that reaches
+ * The second input is optional: lit clouds, in blocks or not, which cast shadows on the data. Light that they scatter does not
+ * reach the data. With clouds, data without an extinction and without three-dimensional cells, such as the ground, get the light that reaches
  * them: Sunlight is then the irradiance by sun, sky and the diffuse light of the clouds.
  *
- * The third input, which is optional, is a vtkSunSource: its sun takes the place of SunDirection and DateTime.
+ * The third input is optional: a vtkSunSource, which replaces SunDirection and DateTime.
  *
  * On several ranks, each computes the light of a whole image, rectilinear or structured grid and keeps its piece, so that clouds of all ranks cast their
  * shadows. The clouds of several blocks, and other data of several ranks, are lit as one mesh, which each rank keeps whole. Blocks keep their structure and get the light
- * at their points. A single block with clouds has the light that it has alone.
+ * at their points. If only one block has clouds, it has the same light as alone.
  *
  * Field data: SunDirection and Up, three components each, towards the sun and upwards from flat ground. Data without a medium below clouds take the Up of these.
  */
@@ -143,8 +143,8 @@ public:
 
   ///@{
   /**
-   * The clouds of an image, a rectilinear or a structured grid repeat beyond its sides, as in models with periodic boundaries: they cast shadows into the grid and scatter light
-   * into it. If the extinction is equal on opposite sides, these sides count as the same points. Otherwise the next copy begins one grid spacing beyond the last points. Off by
+   * The clouds of an image, a rectilinear or a structured grid repeat beyond its sides, as in models with periodic boundaries. The copies cast shadows into the grid and scatter
+   * light into it. If the extinction is equal on opposite sides, these sides count as the same points. Otherwise the next copy begins one grid spacing beyond the last points. Off by
    * default: no shadows come from beyond the sides, which are mirrors for diffuse light. Not for globes and unstructured data.
    */
   vtkSetMacro(PeriodicSides, bool);
@@ -184,7 +184,7 @@ public:
 
   ///@{
   /**
-   * Keeps the light that depends on the direction of view in arrays of its own, so that mappers draw the light for the camera of each frame, which takes no new computation. Sunlight
+   * Keeps the light that depends on the direction of view in separate arrays, so that mappers draw the light for the camera of each frame without a new computation. Sunlight
    * is then the mean over all directions, and UseViewPosition is ignored. Off by default.
    */
   vtkSetMacro(FollowCamera, bool);
@@ -192,7 +192,7 @@ public:
   vtkBooleanMacro(FollowCamera, bool);
   ///@}
 
-  /** Phase functions of FollowCamera: Henyey and Greenstein's with the mean asymmetry parameter of the data, two of them, or a table for cloud droplets. */
+  /** Phase functions of FollowCamera: that of Henyey and Greenstein with the mean asymmetry parameter of the data, a sum of two of these, or a table for cloud droplets. */
   enum
   {
     HENYEY_GREENSTEIN,
@@ -201,8 +201,8 @@ public:
   };
   ///@{
   /**
-   * How much light the sun's beam sends into each direction where it is scattered. DOUBLE_HENYEY_GREENSTEIN and CLOUD_DROPLETS (Mie, effective radius 10 micrometres, with fogbow and
-   * glory) are those of water droplets whatever the asymmetry parameter is. Default HENYEY_GREENSTEIN.
+   * The distribution of light scattered from the sun's beam over directions. DOUBLE_HENYEY_GREENSTEIN and CLOUD_DROPLETS (Mie, effective radius 10 micrometres, with fogbow and
+   * glory) are for water droplets, whatever the asymmetry parameter is. Default HENYEY_GREENSTEIN.
    */
   vtkSetClampMacro(PhaseFunction, int, HENYEY_GREENSTEIN, CLOUD_DROPLETS);
   vtkGetMacro(PhaseFunction, int);

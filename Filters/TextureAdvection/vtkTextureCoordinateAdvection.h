@@ -24,14 +24,14 @@
  * moving levels is correct; it slides along the ground and under the top. Beyond the border of a regional grid, the wind is that on the border.
  * In other datasets paths are Cartesian; beyond the border, in holes and in blanked cells, the wind is that at the nearest position with a wind.
  *
- * Winds of one Period are in memory, and each time step is read once while time goes forward. A frame costs the paths of one
- * period and does not depend on the frames requested before it.
+ * Winds of one Period are in memory, and each time step is read once while time goes forward. A frame traces the paths of
+ * one period and does not depend on earlier frames.
  *
  * Every process reads the whole grid and makes its own piece of the output.
  *
  * Arrays written; README.md of this folder and Documentation/texture-advection.md give their units and meaning:
  * - TextureCoordinates1, TextureCoordinates2: points, float, 3 components. Longitude/360, latitude/360 and height over the
- *   equator's length of the place of origin, longitudes unwrapped; or Cartesian.
+ *   equator's length of the position of origin, longitudes unwrapped; or Cartesian.
  * - TextureWeights, TextureAges: field data, double, 2 values; ages in seconds.
  * - TextureFrame (int, 0 longitude-latitude-height, 1 Cartesian), TextureOrigin (double, 3 values), TextureLength (double): field data.
  * - FiniteTimeLyapunovExponent: points, float, 1/s, with ComputeLyapunovExponent.

@@ -82,7 +82,7 @@ public:
    * Rendering method. Default: automatic. Any other value is rejected with an error.
    * - Rays: every pixel walks through the mesh from cell to cell, front to back. The order is exact for every mesh, with cycles, holes
    *   and separate parts. Where cells overlap in space, each part of a ray between entering and leaving
-   *   the mesh is composited whole, in the order of entering; for an eye inside several overlapping parts, in any order. Contour
+   *   the mesh is composited whole, in the order of entering; if the eye is inside several overlapping parts, in any order. Contour
    *   surfaces, layers and polygons are found along the ray.
    * - Automatic: rays. Projection if VisibilityOrder is not exact, or if the OpenGL driver does not draw rays correctly, with a warning.
    *
@@ -162,13 +162,13 @@ public:
   };
   ///@{
   /**
-   * The order in which the method Projection composites tetrahedra; rays have none but the exact one. Default: exact.
+   * The order in which the method Projection composites tetrahedra; rays always use the exact order. Default: exact.
    * - Exact: rays, if the method is Automatic. Projection sorts topologically: across each shared face, the tetrahedron on the eye's side is in
    *   front. This order is exact for convex meshes without cycles of tetrahedra that hide one another; GetNumberOfVisibilityCycles()
-   *   counts these. Gaps in the mesh relate nothing.
+   *   counts these. Tetrahedra on both sides of a gap in the mesh have no defined order.
    * - Centroid: by distance of the centroid; local errors.
    * - None: input order. Correct if the colour is constant, because transparency does not depend on order. The mapper detects
-   *   this case and then sorts nothing, whatever is set here: GetOrderIndependent().
+   *   this case and then sorts nothing, whatever is set here; see GetOrderIndependent().
    * With Centroid and None, Automatic projects.
    */
   vtkSetClampMacro(VisibilityOrder, int, EXACT_ORDER, NO_ORDER);
@@ -225,9 +225,9 @@ public:
 
   ///@{
   /**
-   * Draws fewer rays while the camera moves: as many as the DesiredUpdateRate of the render window allows. Interactors, widgets and ParaView raise that while the user drags, and lower it afterwards, so that a picture at rest has
-   * a ray for each pixel. The image between the rays is interpolated. Default: on, at most 8 pixels from ray to ray (1 to 16, clamped).
-   * Only rays are spread out, and not when volumes are peeled. Names and meaning are those of vtkFixedPointVolumeRayCastMapper.
+   * Draws only as many rays while the camera moves as the DesiredUpdateRate of the render window allows. Interactors, widgets and ParaView raise this rate while the user drags, and lower it afterwards, so that a picture at rest
+   * has a ray for each pixel. The image between the rays is interpolated. Default: on, at most 8 pixels from ray to ray (1 to 16, clamped).
+   * This applies to rays only, and not when volumes are peeled. Names and meaning are those of vtkFixedPointVolumeRayCastMapper.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
@@ -245,11 +245,11 @@ public:
 
   ///@{
   /**
-   * What is seen of the cells at a pixel of the window, counted from its lower left, as the last render drew them: along the pixel's ray, the
-   * place where medium and contour surfaces together have become as opaque as PickOpacity. Thinner veils in front are looked through. The ray ends at
-   * opaque geometry and clipping planes, as when drawing; polygons and other volumes are not counted. False, and -1 for cell and point, where the ray
+   * What is visible of the cells at a pixel of the window, counted from its lower left, as the last render drew them: the position along the
+   * pixel's ray at which the accumulated opacity of medium and contour surfaces reaches PickOpacity. More transparent veils in front are ignored. The ray ends at
+   * opaque geometry and clipping planes, as when drawing; polygons and other volumes are not counted. False, and -1 for cell and point, if the ray
    * never becomes so opaque.
-   * Position in world coordinates; numbers of the cell and of its point nearest to the place, in the input; the coloured scalar there.
+   * Position in world coordinates; numbers of the cell and of its nearest point, in the input; the coloured scalar there.
    * Reads the depth buffer. Cost: as of one pass over the cells.
    */
   bool Pick(vtkRenderer* renderer, double x, double y);
@@ -259,7 +259,7 @@ public:
   vtkGetMacro(PickedScalar, double);
   ///@}
 
-  /** Light that follows the camera (vtkSunlight) is cut off there: 64 times that of a white surface. */
+  /** Light that follows the camera (vtkSunlight) is clamped to this value: 64 times that of a white surface. */
   static double GetBrightestCameraLight();
 
   ///@{
@@ -273,13 +273,13 @@ public:
   /** Tetrahedra drawn in the last render: those that the transfer function does not make fully transparent. */
   vtkIdType GetNumberOfDrawnTetrahedra();
   /**
-   * Number of passes over the picture in the last render: at least the greatest number of times that a ray entered the mesh. Meshes
+   * Number of passes over the picture in the last render: at least the maximum number of times that a ray entered the mesh. Meshes
    * with many gaps behind one another take long. 0: rays were not used, or none entered.
    */
   int GetNumberOfRayLayers();
   ///@{
   /**
-   * What the last order of the method Projection lacks, if VisibilityOrder is Exact: the number of groups of tetrahedra in which each hides
+   * Defects of the last order of the method Projection, if VisibilityOrder is Exact: the number of groups of tetrahedra in which each hides
    * another and is itself hidden, so that no order is correct; their members; and the relations across faces that are drawn in the wrong
    * order for this reason. 0 with all other methods and orders: rays are exact without an order.
    */
@@ -302,7 +302,7 @@ public:
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  /** Takes over the input and all settings. Clipping planes and layer properties are shared; their lists are copied. */
+  /** Copies the input and all settings. Clipping planes and layer properties are shared; their lists are copied. */
   void ShallowCopy(vtkAbstractMapper* other) override;
 
 protected:

@@ -33,9 +33,9 @@ public:
   /**
    * Contour surfaces inside the volume, without geometry: wherever a ray crosses a contour value, a lit surface is composited between
    * the media in front of it and behind it, so that all surfaces and cells are in exact order. Values may come in any order. Default:
-   * none. A surface is the boundary of the region where the scalar is at least the value, so that a surface in a face between cells
-   * is drawn once. Surfaces are drawn in fully transparent cells too. Values that are not finite are rejected.
-   * Within tetrahedra the surfaces are flat; hexahedra and so on are divided into tetrahedra.
+   * none. A surface is the boundary of the region where the scalar is at least the value, so a surface in a face between cells is
+   * drawn once. Surfaces are drawn in fully transparent cells too. Values that are not finite are rejected.
+   * Within tetrahedra the surfaces are flat; hexahedra and other cells are divided into tetrahedra.
    */
   void SetContourValue(int i, double value);
   double GetContourValue(int i);
@@ -106,7 +106,7 @@ public:
   };
   ///@{
   /**
-   * Polygons of an unstructured grid that are composited with its cells, as lit, translucent surfaces at their place in the order. They must
+   * Polygons of an unstructured grid that are composited with its cells, as lit, translucent surfaces in the correct order. They must
    * lie in faces of cells, like those of vtkContourCellSplitter; others are left out, with a warning. Default: contours.
    * - Contours: polygons whose cell array ContourIndex (from vtkContourCellSplitter or vtkCloudSurface) is 0 or more.
    * - All: other polygons too, such as the boundary patches of a mesh file.
@@ -171,7 +171,7 @@ public:
   void LayersFromContoursOff() { this->SetLayersFromContours(false); }
   ///@}
 
-  /** Takes over contour surfaces, polygons and layers. The list of layer properties is copied, the properties are shared. */
+  /** Copies the contour surfaces, polygons and layers. The list of layer properties is copied, the properties are shared. */
   void ShallowCopy(vtkAbstractMapper* other) override;
 
 protected:

@@ -59,7 +59,7 @@ public:
   ///@}
 
   ///@{
-  /** Cover and threshold for one set of coordinates without thickness: one of them is the one you set, the other follows from it. */
+  /** Cover and threshold for one set of coordinates without thickness: you set one of them, and the other follows from it. */
   double GetCoverageUsed();
   double GetThresholdUsed();
   ///@}
@@ -237,8 +237,8 @@ public:
 
   ///@{
   /**
-   * For OpenGL without images in shaders (before 4.2, and without GL_ARB_shader_image_load_store): greatest number of clouds behind one another that UseThickness finds in a pixel, nearest and farthest first;
-   * a warning reports if there are more. Every two that exist cost one drawing of depths. Later OpenGL finds all clouds. 2 ... 16, default: 8. OpenGL's number of
+   * For OpenGL without images in shaders (before 4.2, and without GL_ARB_shader_image_load_store): maximum number of clouds behind one another that UseThickness finds in a pixel, nearest and farthest first;
+   * a warning reports if there are more. Every two clouds cost one pass over the depths. Later OpenGL finds all clouds. 2 ... 16, default: 8. OpenGL's number of
    * textures may allow less.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 2, 16);

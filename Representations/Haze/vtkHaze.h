@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHaze
- * @brief Haze in front of everything that a renderer draws, thinner with altitude
+ * @brief Haze in front of everything that a renderer draws, less dense with altitude
  *
  * Density falls exponentially with altitude h, exp(-h / ScaleHeight), on a globe or over flat ground. The optical depth tau of the air between the
  * eye and a fragment is its analytic integral along the ray, and a colour F becomes exp(-tau) F + (1 - exp(-tau)) Color (Max, Crawfis and
@@ -72,7 +72,7 @@ public:
   /**
    * Meteorological visibility: the distance along the ground at altitude 0 at which 2 % of the contrast is left
    * (Koschmieder1924). The extinction coefficient there is 3.912 / Visibility. >= 0 and finite; 0 (default): 24.5 displayed scale
-   * heights, and over a scene without a globe or map at least 5.7 widths of the scene. Real air has 1e4 to 3e5 m; views of weather
+   * heights; without a globe or map, at least 5.7 widths of the scene. Real air has 1e4 to 3e5 m; views of weather
    * span thousands of kilometres.
    */
   void SetVisibility(double visibility);
@@ -107,7 +107,7 @@ public:
   double GetDisplayedScaleHeight() const { return this->ScaleHeight * this->VerticalExaggeration; }
 
   ///@{
-  /** Colour of thick haze, 0 ... 1. Default: (0.72, 0.8, 0.9). */
+  /** Colour of opaque haze, 0 ... 1. Default: (0.72, 0.8, 0.9). */
   void SetColor(double red, double green, double blue);
   void SetColor(const double color[3]) VTK_SIZEHINT(3)
   {
@@ -119,8 +119,8 @@ public:
   ///@{
   /**
    * Direction towards the sun, in the coordinates of the scene, finite. (0, 0, 0), the default: the sun of the renderer, if ParaView's Sun
-   * lights it; otherwise haze has its colour wherever it is. With a sun, haze scatters its light towards the eye by the phase function of Henyey and Greenstein, whose mean over all directions is 1, and the air between haze and sun dims
-   * it: haze is brightest around the sun, and dark at night. Costs several times as much.
+   * lights it; otherwise haze has the same colour everywhere. With a sun, haze scatters its light towards the eye with the phase function of Henyey and Greenstein (mean over all directions 1), and the haze in between attenuates it:
+   * haze is brightest around the sun, and dark at night. Costs several times as much.
    */
   void SetSunDirection(double x, double y, double z);
   void SetSunDirection(const double sun[3]) VTK_SIZEHINT(3)
@@ -138,7 +138,7 @@ public:
 
   ///@{
   /**
-   * With a sun: clouds that vtkSunlight has lit by the same sun, and that the renderer draws as volumes, cast shadows in the haze, with shafts of light between them. Default: on.
+   * With a sun: clouds that are lit by vtkSunlight with the same sun, and drawn as volumes, cast shadows in the haze, with shafts of light between them. Default: on.
    */
   vtkSetMacro(CloudShadows, bool);
   vtkGetMacro(CloudShadows, bool);
@@ -195,7 +195,7 @@ public:
   }
 
 #ifndef __VTK_WRAP__
-  /** Called while the renderer draws, to replace each number by the greatest of all ranks. */
+  /** Called while the renderer draws, to replace each number by the maximum over all ranks. */
   void SetMaximumOfRanks(std::function<void(double* numbers, int count)> maximum)
   {
     this->MaximumOfRanks = std::move(maximum);
@@ -205,7 +205,7 @@ public:
     return this->MaximumOfRanks;
   }
 
-  /** How this process draws haze before the background of a picture that several ranks may draw together. */
+  /** How this process draws haze in front of the background of a picture that several ranks may draw together. */
   enum class SkyOfRank
   {
     ALONE,    ///< no other rank draws

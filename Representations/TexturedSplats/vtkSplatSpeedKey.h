@@ -4,9 +4,9 @@
  * @class   vtkSplatSpeedKey
  * @brief   legend of the vectors of textured splats: how fast they move in the film, and what their length means
  *
- * An arrow that is as long as the way of a stated speed in a second of the film (or 2, 5, 10, ... of them if that is short), and
- * words: the speed and the way, the time that passes in a second of the film, and the speed of the fastest streaks or the longest segments. It follows the
- * camera; in perspective the arrow is right at the distance of the focal point. Without TrueSpeed there are only the words about the
+ * An arrow as long as the distance that a stated speed covers in a second of the film (or in 2, 5, 10, ... if that is short),
+ * and text: the speed and the distance, the time in the data per second of the film, and the speed of the fastest streaks or the longest segments. It
+ * follows the camera; in perspective the arrow is correct at the distance of the focal point. Without TrueSpeed there are only the words about the
  * longest ones. Nothing is drawn before the vectors are, or where the volume is not in the window. The position, which may be set, is that of the lower left corner.
  * Where a scalar bar or an earlier key of the renderer is there already, the key moves up; a key that would repeat an earlier one is not drawn.
  */
@@ -41,7 +41,7 @@ public:
 
   ///@{
   /**
-   * Unit of the vectors. With "m/s", for data in metres, ways and times have units too, such as km and h. Default: empty, numbers only.
+   * Unit of the vectors. With "m/s", for data in metres, distances and times have units too, such as km and h. Default: empty, numbers only.
    */
   vtkSetMacro(SpeedUnit, std::string);
   vtkGetMacro(SpeedUnit, std::string);

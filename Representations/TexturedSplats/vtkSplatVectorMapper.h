@@ -92,8 +92,8 @@ public:
 
   ///@{
   /**
-   * Speed, in the units of the vectors, at and above which streaks have full opacity. 0 (default): the greatest speed in the
-   * data, but at most 1.25 times that which 99 % of the vectors do not exceed. A warning tells if there is one of more than twice that.
+   * Speed, in the units of the vectors, at and above which streaks have full opacity. 0 (default): the maximum speed in the
+   * data, but at most 1.25 times the 99th percentile. A warning says if the maximum is more than twice that.
    */
   vtkSetClampMacro(MaximumSpeed, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumSpeed, double);
@@ -186,7 +186,7 @@ public:
   ///@{
   /**
    * On: patterns move at the speed of their vectors, by the distance |vector| * TimeScale * FilmTime, instead of through a loop; Phase and
-   * PhaseCycles have no effect. When the vectors change, patterns go on from where they are; FilmTime 0 starts them anew. Default: off.
+   * PhaseCycles have no effect. When the vectors change, patterns continue from their current positions; FilmTime 0 starts again. Default: off.
    */
   vtkSetMacro(TrueSpeed, bool);
   vtkGetMacro(TrueSpeed, bool);
@@ -195,10 +195,10 @@ public:
 
   ///@{
   /**
-   * With TrueSpeed: time of the vectors that passes in a second of the film, in their unit, such as 3600 for an hour if they are in metres per second
+   * With TrueSpeed: time in the data per second of the film, in the unit of the vectors, such as 3600 for an hour if they are in metres per second
    * and the data in metres. If the data are in another unit of length than the vectors, multiply by the factor. 0 (default): a round number for
-   * which the fastest patterns move by at most one period in a second; if several mappers in a renderer have TrueSpeed and no scale of
-   * their own, the smallest of these numbers for all, so that their speeds are comparable.
+   * which the fastest patterns move by at most one period in a second; if several mappers in a renderer have TrueSpeed and no own
+   * scale, the smallest of these numbers for all, so that their speeds are comparable.
    */
   vtkSetClampMacro(TimeScale, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeScale, double);
@@ -210,7 +210,7 @@ public:
   vtkGetMacro(FilmTime, double);
   ///@}
 
-  /** Takes over the settings of the vectors. VectorColorFunction is shared. */
+  /** Copies the settings of the vectors. VectorColorFunction is shared. */
   void ShallowCopy(vtkAbstractMapper* other) override;
 
 protected:

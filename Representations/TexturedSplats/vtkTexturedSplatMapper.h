@@ -102,8 +102,8 @@ public:
 
   ///@{
   /**
-   * For unstructured cells without sizes. On (default): each point becomes an ellipsoid with its share of the surrounding cells, and each cell
-   * one with its volume and proportions (for surfaces: a ball with that area); constant data look constant on cells of any size. Off: all
+   * For unstructured cells without sizes. On (default): each point becomes an ellipsoid with its fraction of the surrounding cells, and each
+   * cell one with its volume and proportions (for surfaces: a ball with that area); constant data look constant on cells of any size. Off: all
    * samples have the mean spacing.
    */
   vtkSetMacro(CellSizeFromCells, bool);
@@ -175,7 +175,7 @@ public:
   /**
    * Draws flat cells of a structured grid layer by layer, from the farthest to the nearest, where the eye looks across their layers. In the
    * order of their distances, which other samples have, the lower cells of the next column would hide the upper ones behind them, so that
-   * a thick medium has ribs. Default: on. Blocks of samples (ErrorTolerance, and moving cameras) are always ordered by distance.
+   * an optically thick medium has ribs. Default: on. Blocks of samples (ErrorTolerance, and moving cameras) are always ordered by distance.
    */
   vtkSetMacro(OrderByLayers, bool);
   vtkGetMacro(OrderByLayers, bool);
@@ -184,15 +184,15 @@ public:
 
   /**
    * Sets VectorOpacity or VectorFraction, or both, so that both streaks and the medium are visible. Streaks of the mean speed get an optical depth of 0.6,
-   * the fastest at least 0.8 and at most 2. A ray meets at most as many streaks as 7 samples with the greatest speed would give, and there are at most 6000
-   * streaks in a sheet, up to 7 times as many in deep data, which are 8 pixels apart on average where they fill a picture of 600 by 600. Hosts use the fraction without a medium too. It does nothing without
-   * an array of vectors.
+   * the fastest at least 0.8 and at most 2. A ray meets at most as many streaks as 7 samples with the maximum speed would give. There are at most 6000
+   * streaks in a sheet (up to 7 times as many in deep data), a mean distance of 8 pixels if they fill a picture of 600 by 600. Hosts use the fraction without a medium too. It does nothing without an array
+   * of vectors.
    */
   void SuitVectorsToMedium(bool opacity = true, bool share = true);
 
   /**
    * Sets VectorColor, and UseVectorColor on, so that vectors stand out from the background and from all colours that the property gives the medium: in black, white or
-   * orange or, where the medium has all of them, in green, magenta, cyan or yellow.
+   * orange or, if the medium has all of these, in green, magenta, cyan or yellow.
    */
   void SuitVectorColor(vtkVolumeProperty* property, const double background[3]);
   /** The same on a gradient of two background colours, each of three numbers from 0 to 1. */
@@ -211,7 +211,7 @@ public:
   double GetDrawnMaximumSpeed();
 
   /**
-   * Moves every pattern on by a time, in the time unit of the vectors: at the speed of its own vector, without a jump when the
+   * Moves every pattern by a time, in the time unit of the vectors, at the speed of its own vector, without a jump when the
    * vectors change. The vectors are those of the last render.
    */
   void AdvancePhases(double time);
@@ -223,8 +223,8 @@ public:
    * vectors. Ignored, with a warning, where vectors are in layers.
    *
    * The splat of a block has the mass, the emission, the centre of mass and the covariance of its samples. Unit of the error:
-   * - Image (default): optical depth along the ray, depending on the view. It is that of each block: those that a ray meets add up.
-   * - Data: value of the opacity function, or share of MaximumSpeed; the same in every view.
+   * - Image (default): optical depth along the ray, depending on the view. It applies to each block: errors of blocks along a ray add up.
+   * - Data: value of the opacity function, or fraction of MaximumSpeed; the same in every view.
    */
   vtkSetClampMacro(ErrorTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ErrorTolerance, double);
@@ -241,7 +241,7 @@ public:
 
   ///@{
   /**
-   * What of a block is compared with ErrorTolerance, in units of optical depth:
+   * The error of a block that is compared with ErrorTolerance, in units of optical depth:
    * - Picture (default): root of the sum, over the pixels, of the squares of the error. Small blocks may be less exact than large ones:
    *   the fewest splats for clouds that change from sample to sample. 0.3 is hard to see, 3 clearly visible. With the
    *   error of the data: the root of the mean square.
@@ -274,7 +274,7 @@ public:
 
   ///@{
   /**
-   * Greatest number of splats while the camera moves: the tolerance grows until the number fits, and returns to ErrorTolerance in
+   * Maximum number of splats while the camera moves: the tolerance grows until the number fits, and returns to ErrorTolerance in
    * the next still picture. 0: no limit. Default: 100000. Ignored where vectors are in layers.
    */
   vtkSetClampMacro(InteractiveMaximumNumberOfSplats, vtkIdType, 0, VTK_ID_MAX);
@@ -292,7 +292,7 @@ public:
 
   ///@{
   /**
-   * Draws fewer pixels while the camera moves, as many as the DesiredUpdateRate of the render window allows, and interpolates between them;
+   * Draws only as many pixels while the camera moves as the DesiredUpdateRate of the render window allows, and interpolates between them;
    * a picture at rest has all. Default: on, at most 8 pixels between samples (1 to 16, clamped). Not when volumes are peeled. Names and meaning are
    * those of vtkFixedPointVolumeRayCastMapper.
    */
@@ -346,7 +346,7 @@ public:
 
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  /** Takes over the input, all settings, and how far patterns have moved. The clipping planes and VectorColorFunction are shared. */
+  /** Copies the input, all settings, and how far patterns have moved. The clipping planes and VectorColorFunction are shared. */
   void ShallowCopy(vtkAbstractMapper* other) override;
 
 protected:

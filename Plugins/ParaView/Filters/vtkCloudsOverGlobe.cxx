@@ -175,7 +175,8 @@ int vtkCloudsOverGlobe::Inform(vtkInformationVector* outputs)
   vtkInformation* globe = this->Globe->GetOutputInformation(0);
   if (!globe->Has(SDDP::WHOLE_EXTENT()))
   {
-    vtkErrorMacro("The file '" << file << "' contains no grid of longitudes, latitudes and levels.");
+    vtkErrorMacro(
+      "The file '" << file << "' contains no grid of longitudes, latitudes and levels.");
     return 0;
   }
   int whole[6];

@@ -4,8 +4,8 @@
  * @class vtkCellCompositingOverride
  * @brief Lets VTK's object factories create Cell Compositing in place of VTK's mappers for unstructured grids
  *
- * While the override is on, vtkProjectedTetrahedraMapper::New() returns a vtkCellCompositingProjectedTetrahedraMapper. Mappers that
- * exist already do not change. vtkUnstructuredGridVolumeRayCastMapper::New() returns a vtkCellCompositingRayCastMapper if VTK was
+ * While the override is on, vtkProjectedTetrahedraMapper::New() returns a vtkCellCompositingProjectedTetrahedraMapper. Existing
+ * mappers do not change. vtkUnstructuredGridVolumeRayCastMapper::New() returns a vtkCellCompositingRayCastMapper if VTK was
  * built with VTK_ALL_NEW_OBJECT_FACTORY; other builds do not ask the factories for this class, and nephoscope.override_vtk()
  * replaces the name in Python instead.
  *

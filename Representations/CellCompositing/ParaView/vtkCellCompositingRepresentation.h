@@ -9,8 +9,8 @@
  * - image and rectilinear pieces are boxes already, and stay where they are;
  * - all other cells are redistributed by the view, whole: a rank gets those that reach into its region, and draws the part of each ray that is in its region.
  *
- * Where no array is chosen for the opacity, smoke, as vtkFlowVolume makes it, has its Density (with puffs SmokeDensity) as
- * extinction, whatever it is coloured by and without an opacity function; the automatic unit distance then gives the generating
+ * If no array is chosen for the opacity, smoke from vtkFlowVolume has its Density (with puffs SmokeDensity) as extinction,
+ * whatever it is coloured by and without an opacity function; the automatic unit distance then gives the generating
  * polygon's diameter an optical depth of 1 at the mean density.
  */
 #ifndef vtkCellCompositingRepresentation_h
@@ -75,7 +75,7 @@ public:
   void SetSpecularPower(double power) { this->SpecularPower = power; }
   ///@}
 
-  /** Polygons beside the cells; see the mapper. That of contour i has the opacity and the colour that entry i of the lists above gives. */
+  /** Polygons between the cells; see the mapper. Those of contour i have the opacity and the colour of entry i of the lists above. */
   void SetPolygons(int polygons);
 
   ///@{

@@ -4,7 +4,7 @@
  * @class vtkCloudTextureRepresentation
  * @brief ParaView representation "Cloud Texture": surfaces of clouds, drawn by vtkCloudTextureMapper
  *
- * As ParaView's surface representation, with another mapper: colours, lights, opacity and transformations are its own. Blocks are drawn as one
+ * ParaView's surface representation with another mapper: colours, lights, opacity and transformations are those of surfaces. Blocks are drawn as one
  * surface. On several ranks unstructured data get the cells of other ranks that they lack, so that no wall is drawn between ranks, and polygons are
  * divided into triangles, which the view can cut between ranks. The length of a unit of texture, where coordinates are positions, is that of the whole surface on all ranks.
  * Thickness is found within the part of the surface that a rank draws, and a warning says so on several ranks.
@@ -43,7 +43,7 @@ public:
   using Superclass::GetInternalOutputPort;
 
   ///@{
-  /** What vtkCloudTextureMapper says of them. */
+  /** As in vtkCloudTextureMapper. */
   void SetCoverage(double value) { this->CloudMapper->SetCoverage(value); }
   void SetCoverageArrayName(const char* name);
   void SetUseThreshold(bool value) { this->CloudMapper->SetUseThreshold(value); }
@@ -86,8 +86,8 @@ public:
 
   ///@{
   /**
-   * Input 1, optional: the grid that vtkCloudTextureMapper integrates the density of. It is drawn by the process that has it, of several ranks each with its
-   * part; a warning says so.
+   * Input 1, optional: the grid that vtkCloudTextureMapper integrates the density of. Each process uses the part that it has; on several ranks a warning
+   * says so.
    */
   void SetDensityVolumeConnection(vtkAlgorithmOutput* volume);
   void RemoveDensityVolume();

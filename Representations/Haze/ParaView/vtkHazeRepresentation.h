@@ -5,7 +5,7 @@
  * @brief the haze of a render view: one switch for everything in it
  *
  * While it is visible its vtkHaze is that of the view's renderer; of several the one shown last. Each rank hazes its own fragments before they are
- * composited. One rank draws the haze before the background, as the farthest layer.
+ * composited. One rank draws the haze in front of the background, as the farthest layer.
  */
 #ifndef vtkHazeRepresentation_h
 #define vtkHazeRepresentation_h
@@ -28,7 +28,7 @@ public:
   void SetVisibility(bool visible) override;
 
   ///@{
-  /** What vtkHaze says of them. VisualRange is its Visibility. */
+  /** As in vtkHaze. VisualRange is its Visibility. */
   void SetVisualRange(double length);
   void SetScaleHeight(double height);
   void SetVerticalExaggeration(double factor);

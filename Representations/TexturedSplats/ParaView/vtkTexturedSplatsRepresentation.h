@@ -82,7 +82,7 @@ public:
   /** Colours for the array that colours the vectors. None (default): ParaView's default colours, over the range of the array. */
   void SetVectorColorFunction(vtkScalarsToColors* function);
 
-  /** Array that gives each sample without a grid a cell size of its own; empty or "None" (default): CellSize for all. */
+  /** Array with the cell size of each sample without a grid; empty or "None" (default): CellSize for all. */
   void SetCellSizeArray(const char* name);
 
   /** Array that gives the vectors a colour of their own; empty or "None" (default): as the splats, or VectorColor. */
@@ -90,15 +90,15 @@ public:
 
   ///@{
   /**
-   * Optical depth of the streaks of the greatest vectors, and share of the samples whose vectors are drawn. 0 (default): beside a medium such that
-   * both can be seen, see vtkTexturedSplatMapper::SuitVectorsToMedium; of vectors alone 2, and all.
+   * Optical depth of the streaks of the longest vectors, and fraction of the samples whose vectors are drawn. 0 (default): in a medium such that
+   * both are visible, see vtkTexturedSplatMapper::SuitVectorsToMedium; for vectors alone 2, and all.
    */
   void SetVectorOpacity(double opacity);
   void SetVectorShare(double share);
   ///@}
 
   ///@{
-  /** Draw all vectors in VectorColor. Automatic (default): beside a medium in a colour that stands out, see vtkTexturedSplatMapper::SuitVectorColor. */
+  /** Draw all vectors in VectorColor. Automatic (default): in a medium, a colour that stands out, see vtkTexturedSplatMapper::SuitVectorColor. */
   enum VectorColorChoice
   {
     COLOR_OF_SPLATS = 0,
@@ -114,8 +114,8 @@ public:
 
   ///@{
   /**
-   * Move the streaks on with the animation time: once through their loop in LoopDuration, in its unit; 0 (default): the time range of the
-   * data, longer if it has so few steps that a period of the fastest streaks would take less than four, or 1 where they have no times. Phase, 0 to 1, is added. Default: on, phase 0.
+   * Move the streaks with the animation time: once through their loop in LoopDuration, in its unit. 0 (default): the time range of the
+   * data, longer if it has so few steps that a period of the fastest streaks would take less than four; 1 for data without times. Phase, 0 to 1, is added. Default: on, phase 0.
    */
   void SetMoveWithTime(bool move) { this->MoveWithTime = move; }
   bool GetMoveWithTime() const { return this->MoveWithTime; }
@@ -127,7 +127,7 @@ public:
 
   ///@{
   /**
-   * With MoveWithTime: at the speed of the vectors instead of through a loop. TimeScale: time of the vectors in a unit of the animation time. 0 (default):
+   * With MoveWithTime: at the speed of the vectors instead of through a loop. TimeScale: time, in the unit of the vectors, per unit of the animation time. 0 (default):
    * such that the fastest patterns move by at most PhaseCycles periods in LoopDuration. Default: off.
    */
   void SetTrueSpeed(bool speed) { this->TrueSpeed = speed; }

@@ -73,8 +73,7 @@ public:
     text.precision(3);
     text << "Array '" << arrayName << "' has vectors of a length of up to " << this->Greatest
          << ", but 99 % are not longer than " << this->GetUsual() << ": vectors longer than "
-         << full
-         << " are clamped to this length. Replace wrong values, or set MaximumSpeed.";
+         << full << " are clamped to this length. Replace wrong values, or set MaximumSpeed.";
     return text.str();
   }
 
