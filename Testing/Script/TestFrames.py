@@ -45,7 +45,7 @@ class Frames(unittest.TestCase):
             self.draw(i, file)
             if i == 3:
                 raise KeyboardInterrupt
-        with self.assertRaisesRegex(KeyboardInterrupt, "3 of 5 frames are kept in .*film. The same call goes on from there"):
+        with self.assertRaisesRegex(KeyboardInterrupt, "3 of 5 frames are kept in .*film. The same call continues from there"):
             self.make(draw=interrupted)
         film = self.make()
         self.assertEqual(self.drawn, [3, 4])

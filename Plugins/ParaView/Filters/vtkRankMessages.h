@@ -4,8 +4,8 @@
  * @class vtkRankMessages
  * @brief messages of several ranks, each sentence once
  *
- * The first rank tells its messages at once; the others keep theirs. Flush, which ParaView calls on all ranks, has the first rank tell those of the
- * others that it has not told itself, with the numbers of their ranks. Sentences that differ only in numbers are the same one.
+ * The first rank shows its messages at once; the others keep theirs. Flush, which ParaView calls on all ranks, makes the first rank show those of
+ * the others that it has not shown itself, with the numbers of their ranks. Sentences that differ only in numbers are the same one.
  */
 #ifndef vtkRankMessages_h
 #define vtkRankMessages_h
@@ -23,7 +23,7 @@ public:
   static vtkRankMessages* New();
   vtkTypeMacro(vtkRankMessages, vtkObject);
 
-  /** Tells or keeps the text of an error or a warning. */
+  /** Shows or keeps the text of an error or a warning. */
   static void Tell(unsigned long event, const std::string& text);
 
   /** Collective. */

@@ -12,11 +12,11 @@
  * - displays without an array get the active scalars when their representation becomes Cell Compositing or Textured Splats, as Volume does;
  * - contours whose representation becomes Cloud Texture are white, unless somebody has chosen the array that colours them;
  * - opacity functions of arrays that begin with the colours of a preset of this project get its opacities too;
- * - where such a display comes into a view whose camera suits other data, of another place or scale, the camera is reset to it;
- * - where it is alone in a view, shows a globe, and the camera looks as ParaView's do at first, at the pole, it is turned to the side;
+ * - if such a display is added to a view whose camera suits other data, at another position or scale, the camera is reset to it;
+ * - if it is alone in a view and shows a globe, and the camera looks at the pole, as ParaView's first camera does, the camera is turned to the side;
  * - numbers outside the range of a property of this project are kept in it, with a warning.
  * - a Sun becomes the input of the Sunlight filters that have none (SunConnection.h);
- * - in every render view the polygon of Flow Volume is drawn in place of the widget's cylinder.
+ * - in every render view the polygon of Flow Volume is drawn instead of the widget's cylinder.
  * Displays that are made by an Apply that fails get these looks when their source first has data.
  * Nothing changes while a state is loaded, and settings that the user has made or saved are kept.
  */

@@ -4,8 +4,8 @@
  * @class vtkSunRepresentation
  * @brief the light of a render view comes from its sun
  *
- * While it is visible, a light from the sun of a vtkSunSource takes the place of the lights that move with the camera, ParaView's light kit among them; lights that stay
- * in the scene shine on. A faint light from the eye keeps the night from being black. Haze without a sun of its own takes this one. Several visible suns all shine.
+ * While it is visible, a light from the sun of a vtkSunSource replaces the lights that move with the camera, including ParaView's light kit; lights fixed in the scene
+ * are kept. A faint light from the eye keeps the night from being black. Haze without its own sun uses this one. Several visible suns all shine.
  *
  * With a date and time, the scene is a globe if visible data say so in the field data of vtkGlobeGrid, as for vtkSunlight.
  */

@@ -77,7 +77,7 @@ class Resumed(Films):
     def test_after_control_c(self):
         self.assertEqual(self.animate(filename=self.folder / "whole.gif"), COUNT)
         self.assertEqual(sorted(os.listdir(self.folder)), ["whole.gif"])
-        self.assertIn(f"3 of {COUNT} frames are kept in {self.kept}. The same call goes on from there.", self.stopped(3))
+        self.assertIn(f"3 of {COUNT} frames are kept in {self.kept}. The same call continues from there.", self.stopped(3))
         self.assertFalse(self.film.exists())
         self.assertEqual(self.animate(), 1 + COUNT - 3)  # the newest once more
         self.assertIn(f"3 of {COUNT} frames are in {self.kept} already.\n4 of {COUNT}: 3\n", self.log.getvalue())
@@ -132,7 +132,7 @@ nephoscope.animate(plotter, [block(k) for k in range(COUNT)], "T", filename=sys.
     def test_other_pictures_are_told(self):
         self.stopped(3)
         self.animate(view="xz")
-        self.assertIn(f"3 of {COUNT} frames are in {self.kept} already, but look otherwise than this call draws: all are drawn anew.", self.log.getvalue())
+        self.assertIn(f"3 of {COUNT} frames are in {self.kept} already, but differ from what this call draws: all are drawn again.", self.log.getvalue())
 
     def test_a_folder_of_pictures(self):
         folder = self.folder / "pictures"

@@ -102,7 +102,7 @@ class Meshes(unittest.TestCase):
             single = str(Path(folder, "case_1.vti"))
             with self.assertRaisesRegex(TypeError, r"single file .* has one time; pass a list of files"):
                 nephoscope.animate(self.plotter, single, "T")
-            with self.assertRaisesRegex(TypeError, "has times of its own"):
+            with self.assertRaisesRegex(TypeError, "has its own times"):
                 nephoscope.animate(self.plotter, collection, "T", times=[1, 2, 3])
             for dataset, options, told in ((names, {}, ["0", "1", "2"]), ([Path(name) for name in names], {"times": [1, 2, 3]}, ["1", "2", "3"]), (dict(zip((2, 3, 4), names)), {}, ["2", "3", "4"]),
                                            (str(Path(folder, "case_*.vti")), {}, ["0", "1", "2"]), ([block(1), names[1], block(2)], {}, ["0", "1", "2"]), (str(collection), {}, ["0.5", "1", "4"])):

@@ -248,7 +248,7 @@ def scene(**options):
         with Server("-m", "nephoscope", FORECAST, "--port", "0", BROWSER=f"{opener} %s &") as server:
             wait_for((folder / "opener.url").is_file, "no browser is opened", 60)
         self.assertEqual((folder / "opener.url").read_text(), f"{server.address}\n")
-        self.assertEqual((server.told, server.errors), ([f"Nephoscope: {server.address} (Ctrl-C ends it)\n"], []))
+        self.assertEqual((server.told, server.errors), ([f"Nephoscope: {server.address} (Ctrl-C stops it)\n"], []))
 
     def test_port_in_use(self):
         with Server("-c", self.CODE + "nephoscope.serve(scene(), port=0, open_browser=False)") as server:

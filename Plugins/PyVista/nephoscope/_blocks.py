@@ -70,7 +70,7 @@ def _uncovered(block: pyvista.DataSet) -> pyvista.DataSet:
 
 
 def cell_dimension(mesh: pyvista.DataSet) -> int:
-    """The greatest dimension of its cells, 0 if it has none."""
+    """The highest dimension of its cells, 0 if it has none."""
     if not isinstance(mesh, (pyvista.UnstructuredGrid, pyvista.PolyData)):
         return sum(count > 1 for count in getattr(mesh, "dimensions", ()))  # not by a cell, because a hidden cell is an empty cell
     if isinstance(mesh, pyvista.PolyData):

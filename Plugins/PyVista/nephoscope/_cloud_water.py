@@ -39,7 +39,7 @@ def words_for(name: str) -> str:
 
 
 def optics_of_fraction(mesh: pyvista.DataSet, options: dict[str, Any], make: Callable[..., pyvista.DataSet]) -> pyvista.DataSet | None:
-    """What `make` returns for the mesh with water in the place of its cloud fraction; None if it has no fraction, or no heights in metres. `options`: those of `cloud_optics`."""
+    """What `make` returns for the mesh with water instead of its cloud fraction; None if it has no fraction, or no heights in metres. `options`: those of `cloud_optics`."""
     found = _fraction(mesh, options["cloud_fraction"])
     if found is None:
         return None
@@ -68,7 +68,7 @@ def optics_of_fraction(mesh: pyvista.DataSet, options: dict[str, Any], make: Cal
 
 
 def _fraction(mesh: pyvista.DataSet, named: str) -> tuple[str, pyvista.DataSetAttributes] | None:
-    """The array that is named, or the first one that is a cloud fraction, and its place."""
+    """The array that is named, or the first one that is a cloud fraction, and whether it is on points or cells."""
     arrays = [(name, data) for data in (mesh.point_data, mesh.cell_data) for name in data if data[name].ndim == 1]
     return next(((name, data) for name, data in arrays if name == named or not named and is_fraction(mesh, name)), None)
 

@@ -26,7 +26,7 @@ def require_alone(**others: Any) -> None:
 
 
 def greatest_extinction(values: np.ndarray, name: str, across: float, scale: float) -> float:
-    """The greatest value, or 1 if there is none above 0. Warns about values that are no extinction in 1/length of a mesh that is `across` wide."""
+    """The maximum, or 1 if no value is above 0. Warns about values that are not an extinction in 1/length of a mesh that is `across` wide."""
     finite = np.asarray(values, float)[np.isfinite(values)]
     if below := int((finite < 0).sum()):
         _warn(f"The extinction {name!r} is negative in {below} of {values.size} values, which are drawn as clear air. Name the array of the extinction coefficient, >= 0.")

@@ -78,7 +78,7 @@ class Frames:
             self.record.write_text(self.settings, encoding="utf-8")
 
     def kept(self) -> str:
-        return f"{len(self.found())} of {len(self.files)} frames are kept in {self.folder}. The same call goes on from there."
+        return f"{len(self.found())} of {len(self.files)} frames are kept in {self.folder}. The same call continues from there."
 
     def _told(self, problem: OSError) -> OSError:
         sizes = [os.path.getsize(self.files[i]) for i in self.found()]

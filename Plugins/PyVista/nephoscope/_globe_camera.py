@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the camera of a first picture is: above the data, above where the field is, or above the place that the user wants."""
+"""Where the camera of a first picture is: above the data, above the field, or above the position that the user wants."""
 from __future__ import annotations
 
 from typing import Any
@@ -30,7 +30,7 @@ def _direction_to(view: Any) -> np.ndarray:
 
 
 def _side_of(grid: pyvista.DataSet, name: str) -> np.ndarray | None:
-    """The mean direction of what the field has above its median, on a globe; None if it has that all round."""
+    """The mean direction of what the field has above its median, on a globe; None if these values are all around it."""
     on_points = name in grid.point_data
     values = np.asarray((grid.point_data if on_points else grid.cell_data)[name], float)
     if not np.nanmax(values, initial=-np.inf) > np.nanmin(values, initial=np.inf) and (fullest := step_with_greatest(grid, name)) is not grid:
@@ -51,7 +51,7 @@ def _side_of(grid: pyvista.DataSet, name: str) -> np.ndarray | None:
 
 
 def middle_of(grid: pyvista.DataSet, points: np.ndarray, name: str | None) -> np.ndarray | None:
-    """The middle of data or, if they are all round the globe, of the field; None if that is, too. `points`: those that count."""
+    """The middle of the data or, if they are all around the globe, of the field; None if the field is, too. `points`: those that count."""
     middle = points.mean(axis=0)
     if np.linalg.norm(middle) >= 0.2 * EARTH_RADIUS:
         return middle
@@ -85,7 +85,7 @@ def _from_aside(vertical: np.ndarray, north: np.ndarray, points: np.ndarray) -> 
 
 
 def look_at_region(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> None:
-    """Places the camera straight above the data of a region of a globe, with north up and room for a scalar bar below; those all round the globe, on a map or elsewhere stay as they are seen.
+    """Places the camera straight above the data of a region of a globe, with north up and room for a scalar bar below; for data all around the globe, on a map or elsewhere the camera is not changed.
     PyVista looks at everything from the direction (1, 1, 1), which is from inside the Earth in most regions."""
     if "GlobeGridProjection" not in grid.field_data or is_map(grid):
         return
@@ -102,7 +102,7 @@ def _is_part(points: np.ndarray, middle: np.ndarray) -> bool:
 
 
 def _look_at_part(plotter: pyvista.BasePlotter, points: np.ndarray, middle: np.ndarray, aside: bool, wide: float = WIDE, high: float = HIGH) -> None:
-    """Places the camera above the middle of the data of a region, or at their side, so that they fill these shares of the picture."""
+    """Places the camera above the middle of the data of a region, or at their side, so that they fill these fractions of the picture."""
     towards = middle / np.linalg.norm(middle)
     north = np.array((0, 0, 1) if abs(towards[2]) < 0.95 else (1, 0, 0), float)
     towards, north = (_from_aside(towards, north, points), towards) if aside else (towards, north)
@@ -126,8 +126,8 @@ def _see_near(plotter: pyvista.BasePlotter, distance: float) -> None:
 
 
 def look_down(plotter: pyvista.BasePlotter, grid: pyvista.DataSet, points: np.ndarray, name: str | None, view: Any, aside: bool = False, sun: np.ndarray | None = None) -> None:
-    """Places the camera above a place, by default the middle of the data or of the field, far enough to show all of them, with north up. `aside`: data of a region are seen
-    from the side instead. `sun`: the direction towards it; fields all round the globe are seen from its side."""
+    """Places the camera above a position, by default the middle of the data or of the field, far enough to show all of them, with north up. `aside`: data of a region are seen
+    from the side instead. `sun`: the direction towards it; fields all around the globe are seen from its side."""
     middle = middle_of(grid, points, name)
     middle = (AMERICA if sun is None else _beside(sun)) * EARTH_RADIUS if middle is None else middle
     points = _some(points)

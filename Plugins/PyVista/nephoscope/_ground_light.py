@@ -12,7 +12,7 @@ from .light import sunlight
 
 
 def irradiance(clouds: pyvista.DataSet, places: np.ndarray, sky_light: float) -> np.ndarray:
-    """At places on the ground, (..., 3): by the sun, with the shadows of the clouds, by their diffuse light and, beside them, by the sky."""
+    """At positions on the ground, (..., 3): by the sun, with the shadows of the clouds, by their diffuse light and, outside them, by the sky."""
     there = np.isfinite(places).all(axis=-1)
     result = np.full(there.shape, np.nan)
     ground = pyvista.PolyData(places[there])

@@ -114,7 +114,7 @@ class Layers:
         return table, title if own else contoured
 
     def _bar_of_numbers(self, looks: dict[int, vtkVolumeProperty], numbers: np.ndarray) -> tuple[pyvista.LookupTable, str] | None:
-        """One colour for each layer number, with the number beside it."""
+        """One colour for each layer number, with the number next to it."""
         present = np.unique(numbers[np.isfinite(numbers)]).astype(int)
         if not len(present) or not set(present) <= set(looks) or not all(_is_plain(looks[number]) for number in present):
             return None

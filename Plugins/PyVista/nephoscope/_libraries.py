@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""VTK beside the libraries of eccodes, which hide some of its own.
+"""VTK in one process with the libraries of eccodes, which hide some of VTK's own.
 
 The package eckitlib, which eccodes of the Python package index loads, shows the symbols of its libraries to all that come later. Among them are parts of C++'s regular expressions, with
-which VTK's wheels then write the labels of scalar bars, and OpenLDAP, which the system's NetCDF uses in place of its own. Both end the process: at the first scalar bar, or when it
+which VTK's wheels then write the labels of scalar bars, and OpenLDAP, which the system's NetCDF uses instead of its own. Both crash the process: at the first scalar bar, or when it
 ends. Libraries that are loaded earlier are not touched, and those that are loaded with RTLD_DEEPBIND prefer their own symbols.
 """
 from __future__ import annotations

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `animate` takes beside datasets: files of meshes, and blocks, each of which becomes one mesh."""
+"""What `animate` takes besides datasets: files of meshes, and blocks, each of which becomes one mesh."""
 from __future__ import annotations
 
 import glob
@@ -43,7 +43,7 @@ def read_steps(path: str | Path, times: Any) -> tuple[Any, Any]:
     if len(steps) < 2:
         raise TypeError(f"dataset is the single file {text!r}, which has one time; pass a list of files, one for each time, or a pattern such as 'case_*.vtu'.")
     if times is not None:
-        raise TypeError(f"times is given, but the file {text!r} has times of its own.")
+        raise TypeError(f"times is given, but the file {text!r} has its own times.")
 
     def read(time: float) -> Any:
         reader.set_active_time_value(time)
@@ -76,7 +76,7 @@ def _complete(read: Callable[[], Any]) -> Any:
 
 
 def one_volume(mesh: Any, warns: bool) -> Any:
-    """The mesh of a file, and the blocks of a mesh as one dataset: those of the greatest dimension, so that the boundary patches of a volume are left out."""
+    """The mesh of a file, and the blocks of a mesh as one dataset: those of the highest dimension, so that the boundary patches of a volume are left out."""
     mesh = _complete(lambda: pyvista.read(mesh)) if isinstance(mesh, Path) else mesh
     if not isinstance(mesh, pyvista.MultiBlock):
         return mesh

@@ -73,7 +73,7 @@ def _greatest(values: np.ndarray) -> float:
 
 
 def _fills(values: np.ndarray) -> list[float]:
-    """The greatest value, the least or both, if they are far from all others."""
+    """The maximum, the minimum or both, if they are far from all others."""
     if values.size < 3:
         return []
     greatest, least = values.max(), values.min()

@@ -25,7 +25,7 @@ def follows(mesh: pyvista.DataSet) -> bool:
 
 
 def values_over_time(grid: pyvista.DataSet, name: str, association: str, component: int | None = None) -> np.ndarray:
-    """The values of the array (for vectors, their lengths, or the component). For the mesh of a series they are sampled from all steps, including the least and greatest."""
+    """The values of the array (for vectors, their lengths, or the component). For the mesh of a series they are sampled from all steps, including the minimum and maximum."""
     series = _series.get(grid.memory_address)
     if series is not None:
         return np.concatenate(series.samples(name, component))
@@ -33,7 +33,7 @@ def values_over_time(grid: pyvista.DataSet, name: str, association: str, compone
 
 
 def densest(grid: pyvista.DataSet, name: str, opacity: Any, component: int | None = None) -> pyvista.DataSet:
-    """The grid; for the mesh of a series, the grid of the step with the greatest mean of the function `opacity` of the values, as `values_over_time` takes them."""
+    """The grid; for the mesh of a series, the grid of the step with the largest mean of the function `opacity` of the values, as `values_over_time` takes them."""
     series = _series.get(grid.memory_address)
     if series is None:
         return grid
@@ -48,6 +48,6 @@ def lengths_of_vectors(grid: pyvista.DataSet, name: str) -> np.ndarray:
 
 
 def step_with_greatest(grid: pyvista.DataSet, name: str) -> pyvista.DataSet:
-    """The grid; for the mesh of a series, the grid of the step whose values, or lengths of vectors, have the greatest mean."""
+    """The grid; for the mesh of a series, the grid of the step whose values, or lengths of vectors, have the largest mean."""
     series = _series.get(grid.memory_address)
     return grid if series is None else series.step_with_greatest(name, np.mean)

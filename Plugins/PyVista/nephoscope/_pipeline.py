@@ -112,7 +112,7 @@ def _drawing_folders() -> list[str]:
 
 
 def set_input(algorithm: vtkAlgorithm, data: vtkDataObject, port: int = 0) -> None:
-    """Makes the data the input. Ranges that VTK keeps of its arrays are forgotten: numpy changes values in place without a word to VTK."""
+    """Makes the data the input. Ranges that VTK keeps of its arrays are cleared, because numpy changes values in place without informing VTK."""
     for leaf in _leaves(data):
         for attributes in (leaf.GetPointData(), leaf.GetCellData()) if isinstance(leaf, vtkDataSet) else ():
             for i in range(attributes.GetNumberOfArrays()):

@@ -62,7 +62,7 @@ def refined(mesh: pyvista.StructuredGrid, factor: int, names: dict[str, str | No
 
 
 def _cells_hidden_alone(mesh: pyvista.StructuredGrid) -> np.ndarray:
-    """The marks of cells none of whose points is hidden: others are found anew, from the points of the finer grid."""
+    """The marks of cells none of whose points is hidden: others are found again, from the points of the finer grid."""
     columns, rows, levels = mesh.dimensions
     marks = np.asarray(mesh.cell_data["vtkGhostType"]).reshape(levels - 1, rows - 1, columns - 1)
     if "vtkGhostType" not in mesh.point_data:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Media of one colour and one extinction: those of meshes without arrays, or with `color` in place of scalars."""
+"""Media of one colour and one extinction: those of meshes without arrays, or with `color` instead of scalars."""
 from __future__ import annotations
 
 from typing import Any

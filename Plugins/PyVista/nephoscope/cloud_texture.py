@@ -111,7 +111,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         the plotter has another surface, such as the ground. White clouds look more natural on a blue or dark background.
     coverage : float or str, optional
         Fraction of the surface that is cloud, 0 to 1, or the name of a point array with it, such as the cloud fraction of a model. Default: 0.5;
-        with ``thickness_effect="threshold"``, which adds cloud where it is thick, 0.1.
+        with ``thickness_effect="threshold"``, which adds cloud where the thickness is large, 0.1.
     threshold : float, optional
         Instead of `coverage`: texture value above which there is cloud, in standard deviations. The cover then follows from it.
     texture_scale : float, default: 0.0

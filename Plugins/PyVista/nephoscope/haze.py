@@ -133,7 +133,7 @@ def _vector(values: Numbers, argument: str) -> list[float]:
 
 
 def _mesh_of_scene(plotter: pyvista.Plotter) -> Any:
-    """A mesh in the active renderer that tells of a sun, otherwise of a globe; an empty one if there is none."""
+    """A mesh in the active renderer with the field data of a sun, otherwise of a globe; an empty one if there is none."""
     found: Any = pyvista.PolyData()
     for actor in plotter.renderer.actors.values():
         mapper = actor.GetMapper() if hasattr(actor, "GetMapper") else None

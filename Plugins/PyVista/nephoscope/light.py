@@ -368,7 +368,7 @@ def recorded_sun(mesh: pyvista.DataSet) -> np.ndarray | None:
 
 
 def add_sun(plotter: pyvista.BasePlotter, direction: Numbers | None) -> None:
-    """A light from the sun takes the place of the lights of the active renderer, unless it has scene lights. None: the sun is unknown."""
+    """Lets a light from the sun replace the lights of the active renderer, unless it has scene lights. None: the sun is unknown."""
     if direction is not None and not any(light.is_scene_light for light in plotter.renderer.lights):
         plotter.renderer.remove_all_lights()  # the plotter's own methods change those of all subplots
         plotter.renderer.add_light(pyvista.Light(position=direction, focal_point=(0, 0, 0), light_type="scene light"))
@@ -414,7 +414,7 @@ def brightest(mesh: pyvista.DataSet | None = None, exposure: float | None = None
 
 
 def automatic_white(mesh: pyvista.DataSet | None) -> float:
-    """A tenth above the light that 2 % of the points in clouds exceed. A point is in a cloud if its extinction is above a fiftieth of the greatest."""
+    """1.1 times the light that 2 % of the points in clouds exceed. A point is in a cloud if its extinction is above a fiftieth of the maximum."""
     if mesh is None or not {"Sunlight", "ScaledExtinction"} <= set(mesh.point_data):
         return BRIGHTEST
     light, extinction = mesh.point_data["Sunlight"], mesh.point_data["ScaledExtinction"]

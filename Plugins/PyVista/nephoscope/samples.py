@@ -17,7 +17,7 @@ def shared(name: str) -> str:
 
 
 def requirements(*names: str, options: str = "", python: str = sys.executable or "python3") -> str:
-    """The command that installs requirement files of Nephoscope beside the system's VTK: installed ones, or those of its source folder."""
+    """The command that installs requirement files of Nephoscope next to the system's VTK: installed ones, or those of its source folder."""
     files = [shared(name) for name in names]
     if all(files):  # Debian's Python takes no packages from pip
         return (f"sudo apt install python3-venv && python3 -m venv --system-site-packages ~/nephoscope-python && {OWN_PYTHON} -m pip install "

@@ -104,7 +104,7 @@ def add_view(plotter: pyvista.Plotter, **options: Any) -> Any:
 
 
 def save_time_while_moving(plotter: pyvista.Plotter) -> None:
-    """Leaves out what makes a moving picture slow in software OpenGL: the pictures that the interactor draws at each event of the mouse beside those that are sent, and multi-sampling."""
+    """Leaves out what makes a moving picture slow in software OpenGL: the pictures that the interactor draws at each mouse event besides those that are sent, and multi-sampling."""
     window, interactor = plotter.render_window, plotter.iren.interactor
     samples: list[int] = []  # while a moving picture is drawn
 
@@ -130,7 +130,7 @@ def run(server: Any, port: int, host: str, open_browser: bool) -> None:
     @server.controller.add("on_server_ready")
     def say(**_: Any) -> None:
         address = f"http://{host}:{server.port}/"
-        print(f"Nephoscope: {address} (Ctrl-C ends it)", flush=True)
+        print(f"Nephoscope: {address} (Ctrl-C stops it)", flush=True)
         if open_browser:  # trame would recommend an option that this command does not have
             asyncio.get_running_loop().call_later(0.1, webbrowser.open, address)
 

@@ -25,7 +25,7 @@ KEPT = 3  # number of meshes kept for the last times
 
 
 def source_of(path: Path) -> MeshFile | WeatherFile:
-    """The file by VTK's readers or, if they refuse one that is NetCDF or GRIB, by `nephoscope.open`. ValueError with one sentence if neither reads it."""
+    """The file by VTK's readers or, if they reject a NetCDF or GRIB file, by `nephoscope.open`. ValueError with one sentence if neither reads it."""
     try:
         return MeshFile(path)
     except Exception as refused:  # readers raise errors of any type

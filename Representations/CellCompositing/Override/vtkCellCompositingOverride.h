@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCellCompositingOverride
- * @brief Lets VTK's object factories create Cell Compositing in place of VTK's mappers for unstructured grids
+ * @brief Lets VTK's object factories create Cell Compositing instead of VTK's mappers for unstructured grids
  *
  * While the override is on, vtkProjectedTetrahedraMapper::New() returns a vtkCellCompositingProjectedTetrahedraMapper. Existing
  * mappers do not change. vtkUnstructuredGridVolumeRayCastMapper::New() returns a vtkCellCompositingRayCastMapper if VTK was

@@ -76,7 +76,7 @@ public:
   ///@}
 
   ///@{
-  /** Where the display places the data; on several ranks the data are moved, because ParaView divides them and orders ranks by their own places. */
+  /** Position of the data in the display; on several ranks the data are moved, because ParaView divides them and orders ranks by the positions of the data themselves. */
   void SetOrientation(double x, double y, double z);
   void SetOrigin(double x, double y, double z);
   void SetPosition(double x, double y, double z);
@@ -123,7 +123,7 @@ protected:
 
   static int GetNumberOfRanks();
   static bool IsFirstRank();
-  /** The least of what the ranks have. Called by all ranks. */
+  /** The minimum over the ranks. Called by all ranks. */
   static int MinimumOverRanks(int mine);
   /** Whether the input of any rank, which may be null, has points or cells; what has not is reported by whoever made it. Called by all ranks. */
   static bool HoldsAnything(vtkDataObject* input);

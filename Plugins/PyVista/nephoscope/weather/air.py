@@ -87,7 +87,7 @@ class Air:
         return self.surface_pressure - midpoints(layers, not top_first)
 
     def _is_top_first(self, role: str, layers: np.ndarray, thin_top: bool) -> bool:
-        """Whether the first layer is the uppermost. Heights or the axis tell it; otherwise the thicknesses do, with a warning unless they differ much."""
+        """Whether the first layer is the uppermost. This follows from heights or the axis, otherwise from the thicknesses, with a warning unless they differ much."""
         reading = self.reading
         for other in ("altitude", "geopotential_height", "geopotential"):
             if reading.has(other) and reading.vertical.dim in reading.dataset[reading.roles[other]].dims:

@@ -95,7 +95,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     Warns
     -----
     RuntimeWarning
-        For each time step that cannot be read, with its file: the picture of the step before is shown in its place; before the first step that can be read, the picture of that step.
+        For each time step that cannot be read, with its file: the picture of the step before is shown instead; before the first step that can be read, the picture of that step.
     """
     from .picture import darken, is_untouched
     draw = draw if draw is None or callable(draw) else word(draw)
@@ -257,7 +257,7 @@ def _add_label(plotter: pyvista.BasePlotter, series: Series, colour: str) -> Non
 
 
 def _row(plotter: pyvista.BasePlotter) -> float:
-    """The height of a slider in the active renderer, as a share of the latter: at the top, or below other sliders there."""
+    """The height of a slider in the active renderer, as a fraction of its height: at the top, or below other sliders there."""
     _, bottom, _, top = plotter.renderer.GetViewport()
     sliders = getattr(plotter, "widgets", plotter).slider_widgets
     others = [one.GetRepresentation().GetPoint1Coordinate().GetValue()[1] / (top - bottom) for one in sliders if one.GetCurrentRenderer() is plotter.renderer]

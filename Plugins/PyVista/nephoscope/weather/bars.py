@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scalar bars of first pictures: labels with as many digits as the range needs, room for them in small windows and beside other bars, and one range for fields that are compared."""
+"""Scalar bars of first pictures: labels with as many digits as the range needs, room for them in small windows and next to other bars, and one range for fields that are compared."""
 from __future__ import annotations
 
 import re
@@ -53,7 +53,7 @@ def bars_in(plotter: pyvista.BasePlotter) -> list[vtkScalarBarActor]:
 
 
 def finish_bars(plotter: pyvista.BasePlotter, before: list[vtkScalarBarActor], title: Callable[[str], str], clim: Any = None) -> None:
-    """Sets titles, labels and places of the scalar bars of a sub-plot that were not there `before`. Upright bars may take room from the picture beside them. `title`: makes a title from the name of an array.
+    """Sets titles, labels and positions of the scalar bars of a sub-plot that were not there `before`. Upright bars may take room from the picture next to them. `title`: makes a title from the name of an array.
     `clim`: the range, if one was given."""
     for key, bar in plotter.scalar_bars.items():
         if bar in before or not plotter.renderer.HasViewProp(bar):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The poles of grids whose rows are closed rings, as those of rotated grids: a row of one place closes the hole that the last ring leaves."""
+"""The poles of grids whose rows are closed rings, such as rotated grids: a row at one position closes the hole inside the last ring."""
 from __future__ import annotations
 
 from dataclasses import dataclass

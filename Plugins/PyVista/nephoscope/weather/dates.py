@@ -16,7 +16,7 @@ _LEADS = ("step", "forecast_time", "leadtime", "lead_time", "prediction_timedelt
 
 
 def with_dates(dataset):
-    """`dataset` with dates in place of days as %Y%m%d.%f, and along WRF's dimension Time, if no other coordinate has them; unchanged if there is nothing to decode."""
+    """`dataset` with dates instead of days as %Y%m%d.%f, and along WRF's dimension Time, if no other coordinate has them; unchanged if there is nothing to decode."""
     for name, variable in dataset.variables.items():
         if variable.ndim < 2 and variable.dtype.kind in "fiu" and _DAYS.fullmatch(str(variable.attrs.get("units", "")).strip()):
             dates = _of_days(variable.values)

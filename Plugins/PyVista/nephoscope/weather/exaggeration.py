@@ -67,7 +67,7 @@ def _of_flat(grid: pyvista.DataSet, spans: np.ndarray, made: float) -> float:
 
 
 def _rounded(factor: float) -> float:
-    """The greatest round number that is not greater; at least 1."""
+    """The largest round number that is not larger; at least 1."""
     return max([number for number in ROUND if number <= 1.000001 * factor], default=1.0)
 
 

@@ -28,7 +28,7 @@ def need_elsewhere(module: str, purpose: str) -> None:
 
 
 def load_netcdf_of_vtk() -> None:
-    """Loads VTK's NetCDF with the libraries of the system before eccodes, which xarray imports when it opens a file, or with its own symbols after eccodes: `_libraries` tells why."""
+    """Loads VTK's NetCDF with the libraries of the system before eccodes, which xarray imports when it opens a file, or with its own symbols after eccodes: `_libraries` says why."""
     with contextlib.suppress(ImportError), own_symbols():
         importlib.import_module("vtkmodules.vtkIONetCDF")
 

@@ -27,7 +27,7 @@ class Part(NamedTuple):
 
 
 def filled(dataset: xarray.Dataset, grid: pyvista.DataSet, name: str, time: Any, options: dict[str, Any]) -> Part | None:
-    """What to draw in place of `grid`, the mesh of the dataset. None if the field has values on all levels; otherwise the first time
+    """What to draw instead of `grid`, the mesh of the dataset. None if the field has values on all levels; otherwise the first time
     at which it has any, or the levels on which it has some."""
     if not is_sparse(grid, name):
         return None

@@ -59,7 +59,7 @@ def _take_up(frames: Frames, draw: Callable[[int, str], None], progress: bool) -
     if not same:
         frames.restart()
     if progress:
-        print(f"{len(found)} of {len(frames.files)} frames are in {frames.folder} already" + ("." if same else ", but look otherwise than this call draws: all are drawn anew."), file=sys.stderr, flush=True)
+        print(f"{len(found)} of {len(frames.files)} frames are in {frames.folder} already" + ("." if same else ", but differ from what this call draws: all are drawn again."), file=sys.stderr, flush=True)
 
 
 def _alike(one: Any, other: Any) -> bool:
@@ -106,4 +106,4 @@ def _mp4(program: str, folder: Path, path: Path, framerate: float) -> None:
     told = subprocess.run([program, "-y", "-loglevel", "error", "-framerate", str(framerate), "-i", str(folder / "%05d.png"), "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
                            str(path)], capture_output=True, text=True)
     if told.returncode:
-        raise RuntimeError(f"ffmpeg could not write {path}: {told.stderr.strip()} The frames are kept in {folder}. The same call goes on from there.")
+        raise RuntimeError(f"ffmpeg could not write {path}: {told.stderr.strip()} The frames are kept in {folder}. The same call continues from there.")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Datasets on a flat grid: x, y and z are lengths, as in large-eddy simulations and cloud-resolving models, and not places on the Earth."""
+"""Datasets on a flat grid: x, y and z are lengths, as in large-eddy simulations and cloud-resolving models, and not positions on the Earth."""
 from __future__ import annotations
 
 import re
@@ -31,7 +31,7 @@ _WORDS = {"x": ("east", "easting", "eastward", "west_east", "ni", "i"), "y": ("n
 
 @dataclass
 class Axis:
-    """One axis of a flat grid. `order`: the entries of the file from the lowest value to the greatest, each once."""
+    """One axis of a flat grid. `order`: the entries of the file from the lowest value to the highest, each once."""
     dim: str
     name: str  # of the coordinate, "" if there is none
     values: np.ndarray  # m

@@ -48,7 +48,7 @@ def mark_air(mesh: pyvista.DataSet, *found: dict[str, str]) -> None:
 
 
 def _add_strings(mesh: pyvista.DataSet, name: str, texts: list[str]) -> None:
-    """As ``mesh.field_data[name] = texts``, also with letters that are not ASCII, which PyVista refuses."""
+    """As ``mesh.field_data[name] = texts``, also with letters that are not ASCII, which PyVista rejects."""
     array = vtkStringArray()
     array.SetName(name)
     for text in texts:

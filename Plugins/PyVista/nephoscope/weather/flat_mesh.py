@@ -25,7 +25,7 @@ CLEAR = 1e30  # greater magnitudes are fill values
 
 
 def flat_mesh(flat: Flat, variables: Sequence[str] | None, vertical_exaggeration: float, derive: str | Sequence[str] = ()) -> pyvista.ImageData | pyvista.RectilinearGrid:
-    """Points in metres, in the places of the dataset; fields on the points."""
+    """Points in metres, at the positions in the dataset; fields on the points."""
     mesh = _points(flat, require_number(vertical_exaggeration, "vertical_exaggeration", above=0))
     for name in _chosen(flat, variables):
         mesh.point_data[name] = _float(flat.values(name)).ravel()

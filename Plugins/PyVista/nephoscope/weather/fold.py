@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The northern fold of tripolar ocean grids, where the last row meets itself: column i lies beside column s - i."""
+"""The northern fold of tripolar ocean grids, where the last row meets itself: column i lies next to column s - i."""
 from __future__ import annotations
 
 from dataclasses import dataclass

@@ -53,7 +53,7 @@ def first_bytes(path: Path) -> bytes:
 
 
 def described(path: Path, start: bytes) -> str:
-    """A sentence that tells what the file is, and one with a remedy; empty if it is not known. `start`: its first bytes."""
+    """A sentence that says what the file is, and one with a remedy; empty if it is not known. `start`: its first bytes."""
     what, remedy = identified(path, start)
     return what and f"{path} {what}. {remedy}"
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a first picture shows in place of a volume or a section in which nothing would be seen: the lowest level, the outer faces of the grid, or departures from a mean."""
+"""What a first picture shows instead of a volume or a section in which nothing would be visible: the lowest level, the outer faces of the grid, or departures from a mean."""
 from __future__ import annotations
 
 from typing import Any, Callable

@@ -3,7 +3,7 @@
 """GRIB files, editions 1 and 2, as one lazy xarray.Dataset: the headers are read once, a field is decoded when it is used.
 
 Names, dimensions and attributes are those of cfgrib (``GRIB_shortName``, ``isobaricInhPa``, ...), but all types of level are in one dataset, and no index file is
-written beside the data.
+written next to the data.
 """
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ _READING = threading.RLock()
 @contextmanager
 def _every_field(ec, path: Path) -> Iterator[Any]:
     """The file, open for reading all fields of each message. eccodes has one switch for that in a process, so one thread reads at a time; cfgrib turns the switch off
-    whenever it has read, and eccodes then returns the next message in place of a second field."""
+    whenever it has read, and eccodes then returns the next message instead of a second field."""
     with _READING, path.open("rb") as file:
         ec.codes_grib_multi_support_on()
         try:
@@ -256,7 +256,7 @@ class Grid:
         self.dims = ("values",) if self.is_list else ("latitude", "longitude") if self.is_regular else ("y", "x")
 
     def arranged(self, values: np.ndarray) -> np.ndarray:
-        """Values in rows and columns. Where the rows of a message alternate in direction, eccodes turns neither values nor places, which have one direction."""
+        """Values in rows and columns. Where the rows of a message alternate in direction, eccodes turns neither values nor positions, which have one direction."""
         if self.alternates and not self.is_list:
             values = values.reshape(self.shape[::-1] if self.by_columns else self.shape).copy()
             values[1::2] = values[1::2, ::-1]

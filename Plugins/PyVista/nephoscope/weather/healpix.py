@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""HEALPix (Gorski et al. 2005): the places of its pixels, which are (x, y) of a face of nside x nside; the whole sphere, or the pixels whose numbers a coordinate has."""
+"""HEALPix (Gorski et al. 2005): the positions of its pixels, which are (x, y) of a face of nside x nside; the whole sphere, or the pixels whose numbers a coordinate has."""
 from __future__ import annotations
 
 import numpy as np
@@ -22,7 +22,7 @@ def healpix_of(dataset, dim: str) -> tuple[int, bool, np.ndarray | None] | None:
 
 
 def _resolution(keys: dict) -> int:
-    """nside; 0 if the keys do not tell."""
+    """nside; 0 if the keys do not have it."""
     if "healpix_nside" in keys or "nside" in keys:
         return int(keys.get("healpix_nside", keys.get("nside")))
     return 2 ** int(keys["refinement_level"]) if "refinement_level" in keys else 0

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tells data from others, without reading files: an interrupted film goes on only with the same data."""
+"""What distinguishes data from others, without reading files: an interrupted film continues only with the same data."""
 from __future__ import annotations
 
 import os

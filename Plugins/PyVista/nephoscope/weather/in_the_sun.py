@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The sun of a picture on a globe or a map: its place, and the variables of the water and the air by their roles."""
+"""The sun of a picture on a globe or a map: its position, and the variables of the water and the air by their roles."""
 from __future__ import annotations
 
 import warnings
@@ -71,7 +71,7 @@ def _sun_of_data(date: str | None, grid: pyvista.DataSet) -> dict[str, Any]:
 
 
 def _middle(grid: pyvista.DataSet) -> np.ndarray | None:
-    """What the camera looks at: a point on a globe, None if the field is all round it, or the longitude and latitude in the middle of a map."""
+    """What the camera looks at: a point on a globe, None if the field is all around it, or the longitude and latitude in the middle of a map."""
     return middle_of(grid, seen(grid), default_scalars(grid)[1]) if is_on_globe(grid) else np.array(_middle_of_map(grid))
 
 

@@ -34,7 +34,7 @@ _NEVER = re.compile(r"time|altitude|height|(?<!optical[ _])thickness|pressure|ge
 
 
 def note_look(mesh: pyvista.DataSet, dataset, name: str) -> None:
-    """Writes into `mesh` which preset suits its array `name`, if the name alone does not tell, and whether its values are codes, as CF's ``flag_values`` say."""
+    """Writes into `mesh` which preset suits its array `name`, if the name alone does not say so, and whether its values are codes, as CF's ``flag_values`` say."""
     if name in dataset.variables and "flag_values" in dataset[name].attrs:
         mesh.field_data[name + CODES] = [1]
     if name in dataset.variables and (dataset[name].attrs.get("standard_name") == "air_density" or any(candidates(ROLES[role], [(name, dataset[name])]) for role in _IN_LEVELS)):
@@ -109,6 +109,6 @@ def _warn_of_empty_picture(values: np.ndarray, name: str, clim: tuple[float, flo
 
 
 def with_share(title: Callable[[str], str], grid: pyvista.DataSet, name: str, association: str, asked: dict[str, Any], look: dict[str, Any]) -> Callable[[str], str]:
-    """`title` for scalar bars, with a second line that tells how many values are beyond the colours of the array `name`, unless a range was asked for."""
+    """`title` for scalar bars, with a second line that says how many values are beyond the colours of the array `name`, unless a range was asked for."""
     told = "" if asked.get("clim") is not None else share_outside(values_over_time(grid, name, association), look.get("clim"))
     return lambda array: title(array) + (f"\n{told}" if told and array == name else "")

@@ -70,7 +70,7 @@ class MeshSeries(Series):
 
     @property
     def bounds(self) -> tuple[float, ...]:
-        """Least and greatest x, y and z of all steps, or of the sampled ones, as `pyvista.DataSet.bounds`: ``plotter.reset_camera(bounds=series.bounds)``."""
+        """Minimum and maximum of x, y and z over all steps, or of the sampled ones, as `pyvista.DataSet.bounds`: ``plotter.reset_camera(bounds=series.bounds)``."""
         for step in self._sampled():
             if int(step) not in self._bounds:
                 self.attempt(int(step), self._read)

@@ -30,7 +30,7 @@ def part_of(dataset: xarray.Dataset, name: str | None, time: int | str | np.date
 
 
 def one_level(dataset: xarray.Dataset, name: str | None, time: int | str | np.datetime64 | None, options: dict[str, Any]) -> xarray.Dataset | None:
-    """The dataset without levels, and without fields on other grids, if `name` is a field without levels beside others that have them; otherwise None."""
+    """The dataset without levels, and without fields on other grids, if `name` is a field without levels and others have them; otherwise None."""
     if name not in dataset.data_vars or "vertical" in options:
         return None
     with warnings.catch_warnings():

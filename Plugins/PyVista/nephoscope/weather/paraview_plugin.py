@@ -28,7 +28,7 @@ DEFINITION = os.path.join(FOLDER, "weather_data_reader.xml")
 
 
 def _neighbour(name):
-    """A file beside this one, as a module of a package of its own: ParaView may have loaded this file alone, without nephoscope."""
+    """A file next to this one, as a module of a separate package: ParaView may have loaded this file alone, without nephoscope."""
     package = "nephoscope_weather"
     if package not in sys.modules:
         found = importlib.util.spec_from_file_location(package, os.path.join(FOLDER, "__init__.py"), submodule_search_locations=[FOLDER])
@@ -110,7 +110,7 @@ class WeatherDataReader(VTKPythonAlgorithmBase):
         self._selection.AddObserver("ModifiedEvent", lambda *_: self._changed(False))
 
     def _ask(self, **request):
-        """The answer of the worker, whose warnings are told once for each file."""
+        """The answer of the worker, whose warnings are shown once for each file."""
         answer = self._process.ask(**request)
         for text in answer["warnings"]:
             if text not in self._told:

@@ -22,7 +22,7 @@ def load(ns=None):
 def read(path, time=None, **properties):
     """A reader of the file, up to date, with the properties of its panel, for example ``read("forecast.grib2", Levels=[0, 5])``.
 
-    ParaView prints an error of a reader and goes on. This function raises it as a RuntimeError.
+    ParaView prints an error of a reader and continues. This function raises it as a RuntimeError.
     """
     return check(load()(FileName=str(path), **properties), time)
 

@@ -66,7 +66,7 @@ def _present(grid: pyvista.DataSet, name: str, association: str) -> pyvista.Data
 
 
 def _far_side(sheet: pyvista.DataSet) -> str | None:
-    """The faces of a globe of rows and columns that its far side shows, "back" or "front", so that they are not seen beside the ground where the near side is transparent; None if they differ."""
+    """The faces of a globe of rows and columns that its far side shows, "back" or "front", so that they are not visible next to the ground where the near side is transparent; None if they differ."""
     if not isinstance(sheet, pyvista.StructuredGrid) or sheet.dimensions[2] != 1:
         return None
     points = np.asarray(sheet.points).reshape(*sheet.dimensions[1::-1], 3)
@@ -164,7 +164,7 @@ def refuse_sections(grid: pyvista.DataSet) -> None:
 
 
 def add_earth(plotter: pyvista.BasePlotter, grid: pyvista.DataSet) -> pyvista.Actor | None:
-    """The Earth below the data, with coasts above those that hide it. Returns its surface; None if the data have no place."""
+    """The Earth below the data, with coasts above those that hide it. Returns its surface; None if the data have no positions."""
     flat = cell_dimension(grid) < 3
     return (_add_map if is_map(grid) else _add_globe)(plotter, grid, flat, not flat and is_sea(grid))
 
@@ -202,7 +202,7 @@ def _finite(grid: pyvista.DataSet) -> np.ndarray:
 
 
 def seen(grid: pyvista.DataSet) -> np.ndarray:
-    """The points that are not hidden, as land in an ocean is; all that have a place, if all are hidden, or in a film, in which others may be hidden later."""
+    """The points that are not hidden, as land in an ocean is; all that have a position, if all are hidden, or in a film, in which others may be hidden later."""
     marks = grid.point_data.get("vtkGhostType")
     if marks is None or follows(grid):
         return _finite(grid)
@@ -233,7 +233,7 @@ def _window_of_map(across: int, limits: np.ndarray) -> tuple[int, int]:
 
 
 def _limits_of_map(grid: pyvista.DataSet) -> np.ndarray | None:
-    """Those of a map in the scene, where degrees of longitude are as long as they are in its middle, shape (2, 3); None if no point has a place."""
+    """Those of a map in the scene, where degrees of longitude are as long as they are in its middle, shape (2, 3); None if no point has a position."""
     points = _finite(grid)
     if not len(points):
         return None

@@ -86,7 +86,7 @@ def _is_section_over_ground(mesh: pyvista.DataSet, reading: Reading, air: Air) -
 
 
 def _without_fold(reading: Reading, mesh: pyvista.DataSet | None) -> pyvista.DataSet | None:
-    """The mesh without the row that closes the northern fold: its longitudes run backward, so that on a map it would lie far beside the others."""
+    """The mesh without the row that closes the northern fold: its longitudes run backward, so that on a map it would lie far from the others."""
     if mesh is None or reading.horizontal.fold is None or reading.horizontal.fold.dropped:
         return mesh
     columns, rows, levels = mesh.dimensions
@@ -152,7 +152,7 @@ def place_sheet(reading: Reading, fields: dict[str, np.ndarray], units: str, opt
 
 
 def chosen(reading: Reading, variables: Sequence[str] | None) -> list[str]:
-    """The variables to put on the mesh: those named, or all on the grid, last those that only tell where the points are."""
+    """The variables to put on the mesh: those named, or all on the grid, last those that only give the positions of the points."""
     places = {reading.roles.get(role) for role in ("altitude", "thickness", "geopotential_height", "geopotential", "pressure", "pressure_thickness")}
     there = sorted(reading.plain_variables(), key=lambda name: name in places)
     fields = [name for name, _ in reading.field_variables()]

@@ -345,7 +345,7 @@ class Reading:
         return found * found.dtype.type(0.01)
 
     def _land_of_mask(self, name: str, found: np.ndarray) -> np.ndarray | None:
-        """Where the model's own mask of the sea is 0, in fields on levels that do not tell where these are; None without a mask."""
+        """Where the model's own mask of the sea is 0, in fields on levels that do not show where the sea is; None without a mask."""
         mask = next((mask for mask in SEA_MASKS if mask in self.dataset.variables and mask != name), None)
         if mask is None or self.vertical is None or found.ndim != 1 + len(self.horizontal.shape) or set(self.dataset[mask].dims) != set(self.horizontal.dims):
             return None

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Axes with round values beside a section or a map."""
+"""Axes with round values next to a section or a map."""
 from __future__ import annotations
 
 from typing import Sequence
@@ -35,7 +35,7 @@ def add_scales(plotter: pyvista.BasePlotter, bounds: Sequence[float], flat: str,
 
 
 def _texts(values: np.ndarray, axis_title: str) -> list[str]:
-    """Those of the values, and the title. On a map each value has its sign, such as 20°W, in place of the title."""
+    """Those of the values, and the title. On a map each value has its sign, such as 20°W, instead of the title."""
     if axis_title == EAST:
         return [*map(meridian, values), " "]
     if axis_title == NORTH:

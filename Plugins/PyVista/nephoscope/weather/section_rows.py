@@ -22,7 +22,7 @@ _AXES = ("grid_latitude", "grid_longitude", "projection_x_coordinate", "projecti
 
 
 def as_row(dataset: Any) -> Any:
-    """The dataset; if its points lie along a line, which one index along a row or a column leaves of a grid, with a dimension of one entry beside that of the line."""
+    """The dataset; if its points lie along a line, which one index along a row or a column leaves of a grid, with a dimension of one entry besides that of the line."""
     lines = _lines(dataset)
     if lines:
         return _with_row(dataset, lines | _faces(dataset, lines))
@@ -57,7 +57,7 @@ def _faces(dataset: Any, lines: set[str]) -> set[str]:
 
 
 def _has_cells(dataset: Any, dim: Any) -> bool:
-    """Whether the points are cells of a mesh, of which the file has more than their places. Cells with four corners may be those of a row."""
+    """Whether the points are cells of a mesh, of which the file has more than their positions. Cells with four corners may be those of a row."""
     has_corners = lambda name, variable: variable.ndim == 2 and str(name).endswith(("_bnds", "_bounds", "_vertices")) and variable.shape[-1] != 4  # noqa: E731
     return any(dim in variable.dims and ("cf_role" in variable.attrs or has_corners(name, variable)) for name, variable in dataset.variables.items())
 

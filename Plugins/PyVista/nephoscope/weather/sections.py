@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Sections of the globe, at one longitude or one latitude or along a line, and means along these: a picture of places and heights."""
+"""Sections of the globe, at one longitude or one latitude or along a line, and means along these: a picture by position and height."""
 from __future__ import annotations
 
 from typing import Any, Dict, Tuple
@@ -83,7 +83,7 @@ def _places(grid: pyvista.StructuredGrid) -> tuple[np.ndarray, np.ndarray, np.nd
 
 
 def _along(longitude: np.ndarray, latitude: np.ndarray) -> tuple[str, np.ndarray]:
-    """The title of the axis along the section, and the places on it: latitudes or longitudes where the other one is the same everywhere, otherwise kilometres from one end."""
+    """The title of the axis along the section, and the positions on it: latitudes or longitudes where the other one is the same everywhere, otherwise kilometres from one end."""
     away = np.abs(latitude) < 90 - SAME  # from the poles, which have no longitude
     if _extent(longitude[away] if away.any() else longitude) < SAME:
         return "°N", latitude

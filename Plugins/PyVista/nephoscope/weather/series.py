@@ -78,7 +78,7 @@ class Series(Sequence):
 
     @abstractmethod
     def identity(self) -> Any:
-        """What tells the data from others, for JSON."""
+        """What distinguishes the data from others, for JSON."""
 
     @abstractmethod
     def _file(self, step: int) -> str:
@@ -131,18 +131,18 @@ class Series(Sequence):
     # All steps
 
     def range(self, name: str) -> tuple[float, float]:
-        """Least and greatest value of an array in all steps (for vectors, of their length), for use as colour limits: ``clim=series.range("cc")``."""
+        """Minimum and maximum of an array in all steps (for vectors, of their length), for use as colour limits: ``clim=series.range("cc")``."""
         values = np.concatenate(self.samples(name))
         return float(values.min()), float(values.max())
 
     def samples(self, name: str, component: int | None = None) -> list[np.ndarray]:
-        """Finite values of an array (for vectors, of their length or of a component) for each sampled step, including the least and greatest; they are read once."""
+        """Finite values of an array (for vectors, of their length or of a component) for each sampled step, including the minimum and maximum; they are read once."""
         if (name, component) not in self._samples:
             self._samples[name, component] = [self._sample_of(int(step), name, component) for step in self._sampled()]
         return self._samples[name, component]
 
     def step_with_greatest(self, name: str, measure: Callable[[np.ndarray], float], component: int | None = None) -> pyvista.DataSet:
-        """The mesh of the sampled step whose values, as in `samples`, have the greatest `measure`."""
+        """The mesh of the sampled step whose values, as in `samples`, have the largest `measure`."""
         measures = [measure(values) if len(values) else -np.inf for values in self.samples(name, component)]
         step = int(self._sampled()[int(np.argmax(measures))])
         return self.mesh if step == self.step else self[step]

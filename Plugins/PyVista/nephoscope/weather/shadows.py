@@ -13,7 +13,7 @@ FINE, COARSE = 151, 2.0  # lines across the clouds in each direction; degrees be
 
 
 def shade(earth: pyvista.Actor, clouds: pyvista.DataSet) -> None:
-    """Gives the surface of the Earth, an actor of `add_ground`, the light of the sun of the clouds, in place of the lights of the plotter."""
+    """Gives the surface of the Earth, an actor of `add_ground`, the light of the sun of the clouds, instead of the lights of the plotter."""
     old = earth.mapper.dataset
     surface = _map(old) if old.n_points == 4 else _globe(old, clouds)
     light = sunlight(surface, clouds=clouds)["Irradiance"]  # 1: a surface that faces the sun

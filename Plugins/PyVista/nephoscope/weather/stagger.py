@@ -31,7 +31,7 @@ def centres_of(dataset, shapes) -> str | None:
 
 
 def shares_axes(shape, dims) -> bool:
-    """Whether some dimensions are the same, or all have the same names but for their places, as ROMS' (eta_u, xi_u) and (eta_rho, xi_rho)."""
+    """Whether some dimensions are the same, or all have the same names except for their position on the grid, as ROMS' (eta_u, xi_u) and (eta_rho, xi_rho)."""
     return bool(set(shape) & set(dims)) or all(map(is_same_axis, shape, dims))
 
 

@@ -176,7 +176,7 @@ def _is_reference(variable) -> bool:
 
 
 def runs_down(dataset, vertical: Vertical) -> bool | None:
-    """Whether the levels run downwards, by the attribute positive of their axis or by its reference pressures; None if nothing tells."""
+    """Whether the levels run downwards, by the attribute positive of their axis or by its reference pressures; None if nothing says so."""
     for variable in _coordinates(dataset, vertical.dim):
         way = {"up": 1, "down": -1}.get(variable.attrs.get("positive")) or (-1 if _is_reference(variable) else 0)
         values = np.asarray(variable.values, float)
