@@ -22,7 +22,7 @@
  * 4. Give each cut of an edge one number; place it; interpolate the arrays.
  *
  * Neighbouring divided cells share whole faces. Where an undivided cell shares a quadrilateral with a divided cell, the divided
- * cell has the two triangles of step 2: there is no hanging point, and if the four vertices are not coplanar, the two triangles
+ * cell has the two triangles of step 2. There is no hanging point, and if the four vertices are not coplanar, the two triangles
  * define the face. vtkCellCompositingMapper draws the face in this way, and PolyhedralTransitions writes it in this way.
  *
  * Points 0 to n-1 of the output are those of the input. The cuts follow: one for each edge and value, at which the scalar is

@@ -121,9 +121,9 @@ public:
   /**
    * Meaning of the level axis. Automatic (default): a negative axis is pressure that the reader negated; a positive one is
    * pressure in hPa if its largest value is within 500 to 1100, in Pa within 50000 to 110000, unless the height array grows with
-   * it; else height in metres. A pressure axis that ends between
-   * 0.9 and 1.1 is a sigma or hybrid one: its heights come from the height array, else, with a warning, from
-   * the standard atmosphere over a ground at 1013.25 hPa, as does the density in the conversion of omega.
+   * it; otherwise it is height in metres. A pressure axis that ends between
+   * 0.9 and 1.1 is a sigma or hybrid axis. Its heights come from the height array, otherwise, with a
+   * warning, from the standard atmosphere over a ground at 1013.25 hPa, as does the density in the conversion of omega.
    */
   vtkSetClampMacro(LevelUnits, int, AUTOMATIC, HEIGHT_KM);
   vtkGetMacro(LevelUnits, int);

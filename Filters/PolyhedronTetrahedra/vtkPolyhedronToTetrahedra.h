@@ -11,7 +11,7 @@
  * face depend only on the face, no point is added on a face, and vtkCellCompositingMapper cuts the faces of undivided
  * cells into the same triangles. Volumes are conserved, and no tetrahedron is inverted.
  *
- * A cell counts as convex if no vertex lies outside the mean plane of a face by more than the most warped face of the cell is warped,
+ * A cell counts as convex if no vertex lies outside the mean plane of a face by more than the warp of the cell's most warped face,
  * and if the tetrahedra from its first vertex, by which it would be drawn, fill it. Cells with slightly warped faces,
  * as in dual meshes and in layers over terrain, are therefore passed on.
  *

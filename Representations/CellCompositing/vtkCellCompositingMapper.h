@@ -21,8 +21,8 @@
  *   renderer peels volumes: UseDepthPeelingOn(), UseDepthPeelingForVolumesOn(), SetOcclusionRatio(0). Otherwise all
  *   surfaces are drawn first, and the cells on top of them.
  * - Overlapping volumes of a renderer are composited as one medium, whatever the order in which they were added, if all have the
- *   default method, order and integration and neither contour values nor polygons: extinctions add, and each volume emits in
- *   proportion to its own. Other volumes, and splats, are drawn from back to front, in slices of depth where they overlap.
+ *   default method, order and integration and neither contour values nor polygons. Extinctions add, and each volume emits in
+ *   proportion to its own extinction. Other volumes, and splats, are drawn from back to front, in slices of depth where they overlap.
  *
  * References: N. Max, R. Crawfis, B. Becker, New Techniques in 3D Scalar and Vector Field Visualization,
  * Pacific Graphics 1993, section 2 (MaxCrawfisBecker1993); P. Shirley, A. Tuchman, A Polygonal Approximation to
@@ -279,8 +279,8 @@ public:
   int GetNumberOfRayLayers();
   ///@{
   /**
-   * Defects of the last order of the method Projection, if VisibilityOrder is Exact: the number of groups of tetrahedra in which each hides
-   * another and is itself hidden, so that no order is correct; their members; and the relations across faces that are drawn in the wrong
+   * Defects of the last order of the method Projection, if VisibilityOrder is Exact: the number of groups of tetrahedra that occlude one
+   * another in a cycle, so that no order is correct; their members; and the relations across faces that are drawn in the wrong
    * order for this reason. 0 with all other methods and orders: rays are exact without an order.
    */
   vtkIdType GetNumberOfVisibilityCycles();

@@ -5,7 +5,7 @@
  * @brief Draws the surface of clouds with a texture of broken cloud that has a given cover
  *
  * The texture is a sum of modulated cosines (Gardner 1985; Max, Crawfis and Becker, New Techniques in 3D Scalar and Vector Field
- * Visualization, Pacific Graphics 1993, section 4). Where it exceeds a threshold there is cloud; the threshold follows from the cover and from the distribution of
+ * Visualization, Pacific Graphics 1993, section 4). There is cloud where it exceeds a threshold. The threshold is computed from the cover and the distribution of
  * the texture, so that the drawn cover is the requested one at every distance and while two sets of coordinates fade into each other. Colours and lights are those of
  * vtkPolyDataMapper; the texture multiplies the colours. The surface is translucent: use depth peeling to draw it in the correct order with itself and with other
  * translucent objects.

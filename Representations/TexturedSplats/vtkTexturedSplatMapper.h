@@ -6,11 +6,11 @@
  *
  * Every sample is a kernel of unit integral, stretched to its grid cell. Its integral along a ray is exact, for every cell
  * shape and for parallel and perspective views: alpha = 1 - exp(-extinction * footprint). The product of the splats'
- * transmittances is the exact transmittance of the reconstructed field, in any order; colours are composited from back to front, in an
+ * transmittances is the exact transmittance of the reconstructed field, in any order. Colours are composited from back to front, in an
  * order that is computed once per view and does not depend on the order of the input.
  *
- * Vectors are drawn on the splats as streaks along their projection, foreshortened, that move with them, or as line segments: in
- * the middle of a splat's medium, so that the two partly hide each other, or layer by layer. vtkSplatVectorMapper has their settings.
+ * Vectors are drawn on the splats as line segments, or as streaks that lie along their projection, foreshortened, and move with
+ * them. They are in the middle of a splat's medium, so that the two partly hide each other, or are drawn layer by layer. vtkSplatVectorMapper has their settings.
  *
  *     vtkDataSet ──► samples: position, Jacobian, value ──► colour, extinction ──► order ──► splats, blended in float
  *

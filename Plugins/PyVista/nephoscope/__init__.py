@@ -117,7 +117,7 @@ def _pyvista_remedy():
     if _modules.FROM_PYPI:
         return f"Run: {_sys.executable} -m pip install pyvista"
     command = _importlib.import_module(".samples", __name__).requirements("requirements.txt", options="--no-deps ")
-    return f"PyVista must use this VTK and not one of its own. Run: {command}."
+    return f"PyVista must use this VTK and not its own. Run: {command}."
 
 
 @_functools.cache

@@ -28,7 +28,7 @@ class MediumVolume(pyvista.Volume):
     """A `pyvista.Volume` whose copies have the position of the original, and colours that follow their own mapper."""
 
     def copy(self, deep: bool = True) -> MediumVolume:
-        """A copy of this volume, with a mapper and a property of its own if `deep`; the data are shared."""
+        """A copy of this volume, with its own mapper and property if `deep`; the data are shared."""
         volume = type(self)()
         volume.ShallowCopy(self)  # with place and visibility
         if deep:

@@ -404,7 +404,7 @@ class Functions:
         return opacities
 
     def _opacity_range(self, grid: pyvista.DataSet, preference: str) -> tuple[float, float] | None:
-        """The range of `opacity_scalars`; None if opacity has no array of its own."""
+        """The range of `opacity_scalars`; None if opacity has no separate array."""
         name = self.opacity_scalars
         if name is None:
             if self.opacity_clim is not None:

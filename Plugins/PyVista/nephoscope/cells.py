@@ -153,7 +153,7 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         - ``color``: colour of all polygons, or one for each ``ContourIndex``. Default: the colour map's colour at the polygon.
     layers : sequence, or dict of int, optional
         How each layer is drawn: a colour, the name of a colour map over `clim` (both with the opacities of the volume), a
-        `pyvista.VolumeProperty` with colours and opacities of its own, or None for a layer like the volume. An item of a sequence is for the
+        `pyvista.VolumeProperty` with its own colours and opacities, or None for a layer like the volume. An item of a sequence is for the
         layer 0, 1, ... The layer of a point is the number of `contours` at or below its scalar, unless `layer_scalars` is given. A property
         whose unit distance is 1, VTK's default, has that of the volume.
         The scalar bar has the colours of the layers. It belongs to the array that divides the volume, unless that is `scalars`; each layer must then have one colour, otherwise there is no bar.

@@ -30,7 +30,7 @@ def serve(plotter: pyvista.Plotter, *, port: int = PORT, host: str = "127.0.0.1"
     Parameters
     ----------
     plotter : pyvista.Plotter
-        The plotter, before it is shown. With ``off_screen=True`` it opens no window of its own.
+        The plotter, before it is shown. With ``off_screen=True`` it opens no window.
     port : int, default: 8080
         Port of the web server, 0 to 65535. 0: any free port.
     host : str, default: "127.0.0.1"
@@ -68,7 +68,7 @@ def require_packages() -> None:
 
 
 def _web_command() -> str:
-    """What installs the packages. A Debian package's Python gets them in an environment of its own: they would bring a second VTK into its."""
+    """The command that installs the packages. With a Debian package they go into a separate environment, because they would bring a second VTK."""
     if _modules.FROM_PYPI:
         return f"{sys.executable} -m pip install 'nephoscope[web]'"
     if shared("requirements.txt"):

@@ -132,7 +132,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     mesh : pyvista.DataSet, pyvista.MultiBlock, xarray.Dataset, xarray.DataArray or numpy.ndarray
         Any dataset with points, including particles as a PolyData or an array of shape (n, 3). Blocks are combined into one dataset, whose
         splats are balls. Surface blocks next to blocks of 3-D cells, and blocks without the requested arrays, are skipped, with a warning. Data
-        of xarray are drawn as by `add_cells`. It is not changed.
+        of xarray are drawn as in `add_cells`. It is not changed.
     scalars : str or numpy.ndarray, optional
         Name of a point or cell array, or values for all points or all cells; masked values count as missing. A cell array makes one splat per cell. Default: the active scalars,
         otherwise the first numeric array, otherwise vectors; none if `color` is given or the mesh has no arrays.

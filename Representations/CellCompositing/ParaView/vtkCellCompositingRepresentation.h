@@ -10,7 +10,7 @@
  * - all other cells are redistributed by the view, whole: a rank gets those that reach into its region, and draws the part of each ray that is in its region.
  *
  * If no array is chosen for the opacity, smoke from vtkFlowVolume has its Density (with puffs SmokeDensity) as extinction,
- * whatever it is coloured by and without an opacity function; the automatic unit distance then gives the generating
+ * whatever it is coloured by and without an opacity function. The automatic unit distance then gives the generating
  * polygon's diameter an optical depth of 1 at the mean density.
  */
 #ifndef vtkCellCompositingRepresentation_h
@@ -80,8 +80,8 @@ public:
 
   ///@{
   /**
-   * Layers are those of a cell array, or with "None" those between the contour values. Each has a factor on the extinction, and colours
-   * of its own: one colour, or where that is not given a colour map, of the coloured array. Entry i of each list is that of layer i;
+   * Layers are those of a cell array, or with "None" those between the contour values. Each has a factor on the extinction and its own
+   * colours: one colour or, if that is not given, a colour map for the coloured array. Entry i of each list is that of layer i;
    * layers beyond the list, with a negative red or with a null colour map are coloured like the rest.
    */
   void SetLayerArray(const char* name);

@@ -4,8 +4,8 @@
  * @class vtkMediumRepresentation
  * @brief what representations that draw a glowing, absorbing medium have in common
  *
- * A representation of this kind prepares a piece of data on each rank, hands it to the view and draws what the view delivers with a
- * volume mapper of its own. This class chooses the coloured array and the array for the opacity function, colours uniformly
+ * A representation of this kind prepares a piece of data on each rank, hands it to the view and draws what the view delivers with
+ * its own volume mapper. This class chooses the coloured array and the array for the opacity function, colours uniformly
  * under Solid Color, and gives extinction a length that suits the size of the data. It requests ordered compositing over ranks.
  *
  * A subclass sets the mapper of `Actor` when it is made, makes `Piece` and `DataBounds` in PreparePiece, says in DescribePiece
@@ -35,7 +35,7 @@ public:
 
   ///@{
   /**
-   * Take the length over which extinction is counted from the data: the mean length of a ray inside the medium,
+   * Take the unit distance of the opacity from the data: the mean length of a ray inside the medium,
    * times the mean over the volume of a ramp from 0 to 1 over the range of the scalar, divided by 2. With
    * ParaView's default opacity function, which is that ramp, the mean optical depth is then 2, whatever the unit
    * of length and however rare high values are. It does not follow the opacity function. Default: on. On: UnitDistance is

@@ -85,7 +85,7 @@ public:
   /** Array with the cell size of each sample without a grid; empty or "None" (default): CellSize for all. */
   void SetCellSizeArray(const char* name);
 
-  /** Array that gives the vectors a colour of their own; empty or "None" (default): as the splats, or VectorColor. */
+  /** Array that colours the vectors independently; empty or "None" (default): as the splats, or VectorColor. */
   void SetVectorColorArray(const char* name);
 
   ///@{

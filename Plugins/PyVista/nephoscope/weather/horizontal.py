@@ -196,7 +196,7 @@ def _of_healpix(dataset, dims) -> Horizontal | None:
 
 
 def _of_mesh(dataset, dims) -> Horizontal | None:
-    """The face centres or the nodes of a mesh, if the data have no coordinates of their own."""
+    """The face centres or the nodes of a mesh, if the data have no coordinates themselves."""
     from .polygons import find_polygons
     try:
         found = find_polygons(dataset, Horizontal(dims, np.empty(0), np.empty(0), "", ("", "")))

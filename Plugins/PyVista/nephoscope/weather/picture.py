@@ -226,7 +226,7 @@ def _look_at_map(plotter: pyvista.BasePlotter, limits: np.ndarray) -> None:
 
 
 def _window_of_map(across: int, limits: np.ndarray) -> tuple[int, int]:
-    """A window that the map fills, between half as high as wide and square."""
+    """Size of a window that the map fills: at least half as high as wide, at most square."""
     width, height, _ = limits[1] - limits[0]
     share = height * (1 - 2 * MARGIN - LABELS) / ((width or 1.0) * (1 - 2 * MARGIN - STRIP))
     return across, int(across * min(1.0, max(0.5, share)))

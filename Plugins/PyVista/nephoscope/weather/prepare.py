@@ -47,7 +47,7 @@ def _with_levels_of_names(dataset):
 
 
 def _with_coefficients(dataset):
-    """Hybrid levels of CDO and ECHAM: hyam and hybm are on a dimension of their own, nhym, which has all levels of the model; the level numbers select from it."""
+    """Hybrid levels of CDO and ECHAM: hyam and hybm are on a separate dimension, nhym, which has all levels of the model; the level numbers select from it."""
     a, b = (dataset.variables.get(name) for name in ("hyam", "hybm"))
     if a is None or b is None or a.ndim != 1 or a.dims != b.dims or a.dims[0] in dataset.variables:
         return dataset

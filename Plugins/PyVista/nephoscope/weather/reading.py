@@ -175,7 +175,7 @@ class Reading:
         self.example = name
 
     def _remove_levels_of_the_ground(self) -> None:
-        """Removes the levels of their own that fields at the ground have in some files, such as height0 of length one."""
+        """Removes the separate levels that fields at the ground have in some files, such as height0 of length one."""
         kept = {*self.horizontal.dims, *([self.vertical.dim] if self.vertical else [])}
         alone = [dim for dim, size in self.dataset.sizes.items() if size == 1 and dim not in kept]
         found = {dim: find_vertical(self.dataset, [dim], None) for dim in alone}
@@ -196,7 +196,7 @@ class Reading:
         return next((name for name in names if quantity_of(role, self.dataset[name])), names[0] if names else None)
 
     def _on_another_axis(self, role) -> str | None:
-        """The variable with the role that has levels of its own."""
+        """The variable with the role that has its own levels."""
         if self.vertical is None or role.name in self._asked:
             return None
         wanted = {*self.horizontal.dims}
@@ -282,7 +282,7 @@ class Reading:
         return not problem
 
     def has_winds(self) -> bool:
-        """True if there is a wind along the ground. One component alone is a field like others."""
+        """True if there is a wind along the ground. A single component is drawn like any other field."""
         return {"u", "v"} <= set(self.roles) and all([self.has("u"), self.has("v")])
 
     def _problem(self, role: str) -> str:

@@ -48,8 +48,8 @@ def is_section(grid: pyvista.DataSet) -> bool:
 
 
 def unrolled(grid: pyvista.StructuredGrid, shape: float, scales: Scales | None = None) -> tuple[pyvista.StructuredGrid, Scales]:
-    """The section of a globe or a map in the plane y = 0, and the title and the length in the scene of one unit of x and z. `shape`: its height over its width there, unless
-    `scales`, which this function has returned for another time, tell the unit and the length of heights."""
+    """The section of a globe or a map in the plane y = 0, and the title and the length in the scene of one unit of x and z. `shape`: its height over its width there. Or
+    `scales`, which this function has returned for another time, give the unit and the length of heights."""
     stretch = float(np.ravel(grid.field_data.get("VerticalExaggeration", [1.0]))[0]) or 1.0
     longitudes, latitudes, heights = _places(grid)
     title, across = _along(longitudes[0], latitudes[0])

@@ -20,7 +20,7 @@ def is_staggered(dim) -> bool:
 def centres_of(dataset, shapes) -> str | None:
     """The longitudes at the centres of the cells, if all fields, with the horizontal dimensions `shapes`, are on faces of the cells; None otherwise.
 
-    The faces may have no longitudes of their own. The largest of several grids is that of the centres: the corners of ROMS are between them.
+    The faces may have no longitudes themselves. The largest of several grids is that of the centres: the corners of ROMS are between them.
     """
     grids = [{variable.dims[-2:]: str(name) for name, variable in dataset.variables.items() if fits(str(name), variable) and variable.ndim >= 2} for fits in (is_longitude, is_latitude)]
     sizes = dataset.sizes
