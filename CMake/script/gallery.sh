@@ -84,7 +84,7 @@ render_film()
   build_for_figure "$figure"
   ensure_forecast --hours $((24 * days))
   on_virtual_display "${WITH_PRELOAD[@]}" pvbatch "$figure" --no-picture --days "$days" --size 1920 1035 --life 24 "$@" </dev/null ||
-    fail 1 "the film is not complete; the same command goes on with it"
+    fail 1 "the film is not complete; the same command continues it"
 }
 
 # Whether what a figure needs beside the build is there. A figure of weather data draws in the environment of ensure_data; without a network it is left out.

@@ -14,7 +14,7 @@
  * 3. the radius: 1/50 of the diagonal, or half, a quarter, ... 1/128 of that, such that all points of the polygon across the flow are inside the data;
  * Among positions within 5 % of the best, it takes the one nearest to the centre of the bounds. From there it goes upstream. If the flow enters the data there,
  * with at least a quarter of the speed and room for the polygon, the position is just inside, 1 to 4 radii from the border. The polygon is then up to four times as
- * wide, with a margin around it as wide as itself, as long as the flow at its rim has 60 % of the speed in its middle. Elsewhere it goes up to 0.8 of half the diagonal,
+ * wide, with a margin of one radius around it, as long as the flow at its rim has 60 % of the speed in its middle. Elsewhere it goes up to 0.8 of half the diagonal,
  * as long as smoke goes farther, the flow has at least 70 % of the speed and the polygon has room. The same cells give the same position as an image, a grid
  * or unstructured data, on one process or on several. Hosts use it for their defaults; vtkFlowVolume itself does not move its polygon.
  */

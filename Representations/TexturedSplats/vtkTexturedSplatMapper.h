@@ -324,8 +324,8 @@ public:
 
   /**
    * For a picture drawn by several processes: the values on which they agree, so that they compute the same. `origin`: a position within the data of all processes;
-   * `longestEdge`: of the cells of all, in units of the data; `numberOfSamples`: the most that one process has, which is held against
-   * InteractiveMaximumNumberOfSplats. Used where Region is set.
+   * `longestEdge`: of the cells of all, in units of the data; `numberOfSamples`: the maximum over the processes, which is compared
+   * with InteractiveMaximumNumberOfSplats. Used where Region is set.
    */
   void SetCommonFrame(const double origin[3], double longestEdge, vtkIdType numberOfSamples);
 

@@ -23,8 +23,8 @@ OF_ADD_VOLUME = {**dict.fromkeys(("shade", "ambient", "diffuse", "specular", "sp
 def group(argument: str, value: Any, options: type, first: str, old: dict[str, Any], renamed: Mapping[str, str]) -> Any:
     """An object of the dataclass `options`.
 
-    `value` is None, a dict with the names of its fields, or the value of the field `first`. `old` holds arguments with earlier names. Those
-    that `renamed` maps to the name of a field are removed from it, with a DeprecationWarning.
+    `value` is None, a dict with the names of its fields, or the value of the field `first`. `old` holds arguments with earlier names.
+    Arguments that `renamed` maps to the name of a field are removed from `old`, with a DeprecationWarning.
     """
     known = [field.name for field in fields(options)]
     given = dict(value) if isinstance(value, Mapping) else {} if value is None else {first: value}

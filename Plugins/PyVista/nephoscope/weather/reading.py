@@ -204,7 +204,7 @@ class Reading:
         return next(iter(candidates(role, pool)), None)
 
     def axis_of_variable(self, name: str) -> str:
-        """The first dimension of a variable that is not one of the horizontal grid's."""
+        """The first dimension of a variable that does not belong to the horizontal grid."""
         return next(str(dim) for dim in self.dataset[name].dims if dim not in self.horizontal.dims)
 
     def _use_common_levels(self) -> None:
