@@ -56,7 +56,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         do not change: the fastest by at most their distance in a second of the film, or by ``true_speed``. A ``phase`` or ``film_time`` that you set is kept.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg, on the path or of the package imageio-ffmpeg), or a folder for PNG pictures. Default: a slider of time.
-        Until the film is complete its frames are in the folder ``<filename>.frames`` next to it. After an interruption the same call continues from there. It draws the newest of these
+        Until the film is complete its frames are in the folder ``<filename>.frames`` next to it, or in the folder for PNG pictures itself. After an interruption the same call continues from there. It draws the newest of these
         frames once more, and starts again if this differs from the one that was kept, or if the options, the times, the size of the window or the data differ. Files are compared by
         their size and time, meshes in memory by their values, functions only by what they draw in that frame. To start again in any case, remove the folder.
     times : sequence, optional
