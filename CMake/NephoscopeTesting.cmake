@@ -71,10 +71,11 @@ function (nephoscope_add_math_test name source)
 endfunction ()
 
 function (nephoscope_test_folders target)
-  file(GLOB folders CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/../[A-Z]*/*.h") # the folders of the technique
+  file(GLOB folders CONFIGURE_DEPENDS # those of the technique, and those that all share
+    "${CMAKE_CURRENT_SOURCE_DIR}/../[A-Z]*/*.h" "${PROJECT_SOURCE_DIR}/Filters/Common/[A-Z]*/*.h")
   list(TRANSFORM folders REPLACE "/[^/]*$" "")
   list(REMOVE_DUPLICATES folders)
-  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/.." ${folders} "${PROJECT_SOURCE_DIR}/Filters/Common" "${PROJECT_SOURCE_DIR}/Testing/Cxx")
+  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/.." ${folders} "${PROJECT_SOURCE_DIR}/Testing/Cxx")
 endfunction ()
 
 function (nephoscope_add_test_library name)
@@ -124,7 +125,7 @@ function (nephoscope_add_shader_test name folder)
     endif ()
   endforeach ()
   nephoscope_add_cxx_test(${name} SOURCES ${arg_SOURCES} MODULES ${modules} LABELS image)
-  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Representations/Common") # OpenGLFunctions.h
+  target_include_directories(${name} PRIVATE "${PROJECT_SOURCE_DIR}/Representations/Common/OpenGL")
   target_compile_definitions(${name} PRIVATE NEPHOSCOPE_SHADER_FOLDER="${folder}")
   set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 125)
 endfunction ()

@@ -160,6 +160,17 @@ def declared_modules(folder):
     return name, used
 
 
+def check_flat_folders(files):
+    """No folder of a module has more than 40 sources: a reader finds them by the folders of its parts."""
+    counts = {}
+    for path in files:
+        if path.suffix in (".h", ".cxx") and module_of(path):
+            counts[path.parent] = counts.get(path.parent, 0) + 1
+    for folder, count in sorted(counts.items()):
+        if count > 40:
+            yield f"{folder.relative_to(TOP)}: {count} sources; divide them among folders for the parts of the module"
+
+
 def includes_of(files):
     """(file, header) for each header of the project that a file of a module includes."""
     headers = {f.name: f for f in files if f.suffix == ".h"}
@@ -305,7 +316,7 @@ def main():
     files = tracked_files()
     problems = []
     for check in (check_licence_lines, check_machine_paths, check_documents, check_verbs, check_installed, check_references, check_test_targets, check_changelog, check_sentences,
-                  check_layers, check_include_paths, check_readmes, check_imports, check_guards):
+                  check_layers, check_flat_folders, check_include_paths, check_readmes, check_imports, check_guards):
         problems += check(files)
     print("\n".join(problems) or f"{len(files)} files: nothing to complain of")
     return 1 if problems or not files else 0

@@ -24,7 +24,7 @@ from .optics import cloud_optics, optics_of
 from .tone import checked, toned
 
 
-SMOKE = {"albedo": 0.9, "asymmetry": 0.6}  # as Filters/Sunlight/SmokeOptics.cxx
+SMOKE = {"albedo": 0.9, "asymmetry": 0.6}  # as Filters/Sunlight/Clouds/SmokeOptics.cxx
 
 
 def _names(say: Callable[[str], str]) -> dict[str, str]:
