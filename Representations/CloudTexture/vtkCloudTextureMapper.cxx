@@ -156,6 +156,7 @@ void vtkCloudTextureMapper::ShallowCopy(vtkAbstractMapper* other)
     this->SetDensityVolume(mapper->DensityVolume);
     this->SetMaximumNumberOfLayers(mapper->MaximumNumberOfLayers);
     this->SetRelief(mapper->Relief);
+    this->SetRegion(mapper->Region);
     this->SetFirstCoordinatesName(mapper->GetFirstCoordinatesName());
     this->SetSecondCoordinatesName(mapper->GetSecondCoordinatesName());
   }
@@ -293,7 +294,7 @@ void vtkCloudTextureMapper::ReplaceShaderColor(
   nephoscope::addCloudCode(shaders, this->Internals->Surface,
     { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors(),
       this->Internals->Volume ? this->Internals->Volume->GetShaderCode() : std::string(),
-      this->Internals->InUse });
+      this->Internals->InUse, this->HasRegion() });
   this->Superclass::ReplaceShaderColor(shaders, renderer, actor);
 }
 
@@ -331,6 +332,7 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(
   program->SetUniformi("coverageThresholds", this->Internals->Thresholds->GetTextureUnit());
   program->SetUniform2f("textureWeights", weights);
   this->SetTextureUniforms(program);
+  this->SetRegionUniforms(program, actor);
   program->SetUniformf("opticalDepth", static_cast<float>(this->OpticalDepth));
   this->SetEye(program, renderer, actor);
   if (this->UseThickness)
@@ -396,6 +398,8 @@ void vtkCloudTextureMapper::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "TextureLength: " << this->TextureLength << "\n"
      << indent << "OpticalDepth: " << this->OpticalDepth << "\n"
      << indent << "Relief: " << this->Relief << "\n"
+     << indent << "Region: " << this->Region[0] << " " << this->Region[1] << " " << this->Region[2]
+     << " " << this->Region[3] << " " << this->Region[4] << " " << this->Region[5] << "\n"
      << indent << "UseThickness: " << this->UseThickness << "\n"
      << indent << "Extinction: " << this->Extinction << "\n"
      << indent << "DensityArrayName: " << this->DensityArrayName << "\n"
@@ -422,6 +426,42 @@ bool vtkCloudTextureMapper::HasColors() const
     return color[0] == 1 && color[1] == 1 && color[2] == 1;
   };
   return !isWhite(this->ThinColor) || !isWhite(this->ThickColor);
+}
+
+bool vtkCloudTextureMapper::HasRegion() const
+{
+  return this->Region[0] <= this->Region[1];
+}
+
+// Relative to the centre of the surface in the world: places on a globe are exact in float then.
+void vtkCloudTextureMapper::SetRegionUniforms(vtkShaderProgram* program, vtkActor* actor)
+{
+  if (!this->HasRegion())
+  {
+    return;
+  }
+  constexpr double farAway = 1e37; // finite, as shaders need it
+  vtkMatrix4x4* toWorld = actor->GetMatrix();
+  const double* c = this->Internals->Surface.Center;
+  double center[4] = { c[0], c[1], c[2], 1 };
+  toWorld->MultiplyPoint(center, center);
+  float turn[9]; // OpenGL counts matrices by columns
+  float bounds[6];
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      turn[3 * j + i] = static_cast<float>(toWorld->GetElement(i, j));
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      const double bound = this->Region[2 * i + side] - center[i];
+      bounds[3 * side + i] = static_cast<float>(std::min(std::max(bound, -farAway), farAway));
+    }
+  }
+  program->SetUniformMatrix3x3("placeToWorld", turn);
+  program->SetUniform3f("regionLow", bounds);
+  program->SetUniform3f("regionHigh", bounds + 3);
 }
 
 void vtkCloudTextureMapper::SetTextureUniforms(vtkShaderProgram* program)

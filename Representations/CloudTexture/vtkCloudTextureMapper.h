@@ -262,6 +262,16 @@ public:
   const char* GetSecondCoordinatesName() const { return this->CoordinatesNames[1].c_str(); }
   ///@}
 
+  ///@{
+  /**
+   * The part of space, in world coordinates, that this process draws of a picture which several draw together. Each has the whole surface and the whole DensityVolume:
+   * thickness is that of the whole. A fragment on the border belongs to one of two regions. If regions fill space and their pictures are laid over each other in the order of the regions, that
+   * is the picture of one process. Bounds may be infinite; equal ones: nothing is drawn. Invalid ones, the default: all of space.
+   */
+  vtkSetVector6Macro(Region, double);
+  vtkGetVector6Macro(Region, double);
+  ///@}
+
   /**
    * Also draws composite data sets: all their polygonal blocks as one surface. Blocks that lack the coloured array (by the scalar modes for field data) have
    * the colour of the actor.
@@ -310,6 +320,8 @@ private:
   bool HasColors() const;
   void ChooseWaves();
   void CopyWaves(vtkCloudTextureMapper* other);
+  bool HasRegion() const;
+  void SetRegionUniforms(vtkShaderProgram* program, vtkActor* actor);
   void SetTextureUniforms(vtkShaderProgram* program);
   void SetReliefHeight(vtkShaderProgram* program, vtkActor* actor);
 
@@ -332,6 +344,7 @@ private:
   int Waves = WAVES_CLOUDS;
   int ThicknessEffect = THICKNESS_MULTIPLIES_OPACITY;
   double ThicknessWeight = 1;
+  double Region[6] = { 1, -1, 1, -1, 1, -1 };
   std::string CoverageArrayName;
   std::string DensityArrayName;
   vtkSmartPointer<vtkDataObject> DensityVolume;

@@ -14,6 +14,7 @@ from PluginTesting import (OUTPUT, SIZE, check, check_same, color_and_alpha, com
 NOT_OF_THE_MAPPER = {"Input", "CustomWaves", "SurfaceData"}
 IN_CUSTOM_WAVES = {"CustomWave", "NumberOfCustomWaves"}
 INPUTS = {"DensityVolume"}
+OF_RANKS = {"Region"}  # set by the representation
 
 
 def check_definition():
@@ -22,7 +23,7 @@ def check_definition():
     mapper = nephoscope.vtkCloudTextureMapper()
     settable = {n[3:] for n in dir(mapper) if n.startswith("Get") and hasattr(mapper, "Set" + n[3:])}
     inherited = {n[3:] for n in dir(nephoscope.vtkCloudTextureMapper.__bases__[0]) if n.startswith("Get")}
-    expected = settable - inherited - IN_CUSTOM_WAVES - INPUTS
+    expected = settable - inherited - IN_CUSTOM_WAVES - INPUTS - OF_RANKS
     check(expected == set(properties) - NOT_OF_THE_MAPPER, f"C++ and XML differ in {sorted(expected ^ set(properties))}")
     for name in expected:
         compare_default("Cloud Texture", name, properties[name], getattr(mapper, "Get" + name)())

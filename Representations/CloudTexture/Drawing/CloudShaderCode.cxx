@@ -80,7 +80,7 @@ void addBefore(vtkShader* shader, const std::string& tag, const std::string& cod
 }
 
 void addVertexCode(std::map<vtkShader::Type, vtkShader*>& shaders,
-  const std::vector<CloudAttribute>& attributes, bool view)
+  const std::vector<CloudAttribute>& attributes, bool view, bool world)
 {
   std::string vertexDec, vertexImpl, geometryDec, geometryImpl;
   for (const CloudAttribute& a : attributes)
@@ -101,6 +101,13 @@ void addVertexCode(std::map<vtkShader::Type, vtkShader*>& shaders,
     vertexImpl += "  cloudViewVSOutput = (placeToView * vec4(cloudPlace, 1.0)).xyz;\n";
     geometryDec += "in vec3 cloudViewVSOutput[];\nout vec3 cloudViewGSOutput;\n";
     geometryImpl += "  cloudViewGSOutput = cloudViewVSOutput[i];\n";
+  }
+  if (world)
+  {
+    vertexDec += "uniform mat3 placeToWorld;\nout vec3 cloudWorldVSOutput;\n";
+    vertexImpl += "  cloudWorldVSOutput = placeToWorld * cloudPlace;\n";
+    geometryDec += "in vec3 cloudWorldVSOutput[];\nout vec3 cloudWorldGSOutput;\n";
+    geometryImpl += "  cloudWorldGSOutput = cloudWorldVSOutput[i];\n";
   }
   addBefore(shaders[vtkShader::Vertex], "//VTK::Color::Dec", vertexDec);
   addBefore(shaders[vtkShader::Vertex], "//VTK::Color::Impl", vertexImpl);
@@ -152,7 +159,7 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   const CloudShaderChoice& choice)
 {
   const std::vector<CloudAttribute> attributes = cloudAttributesOf(surface);
-  addVertexCode(shaders, attributes, choice.UseThickness);
+  addVertexCode(shaders, attributes, choice.UseThickness, choice.HasRegion);
   std::string dec, early;
   // By thickness places are those in the view.
   const std::string place = choice.UseThickness ? "cloudViewVSOutput" : "cloudPlaceVSOutput";
@@ -165,6 +172,13 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" +
     constantsOf(surface, choice.HasColors, choice.Waves) + GardnerTextureFunctions +
     CloudOpacityFunction;
+  if (choice.HasRegion)
+  {
+    dec += "in vec3 cloudWorldVSOutput;\nuniform vec3 regionLow;\nuniform vec3 regionHigh;\n";
+    early =
+      "  if (any(lessThan(cloudWorldVSOutput, regionLow)) || any(greaterThanEqual(cloudWorldVSOutput, regionHigh)))\n"
+      "  {\n    discard;\n  }\n";
+  }
   const std::string normal = input(attributes, "cloudNormal", "vec3(0.0)");
   std::string depth = "  float cloudAdded = 0.0;\n  float cloudDepthOnRay = opticalDepthOfLayer(" +
     place + ", " + normal + ");\n";
@@ -178,7 +192,7 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
                                    : choice.DensityVolume);
     dec += std::string("const bool hasDensityVolume = ") + word(!choice.DensityVolume.empty()) +
       ";\nin vec3 cloudViewVSOutput;\n" + thickness;
-    early =
+    early +=
       "  float cloudThickness = cloudDrawings < 0 ? noThickness\n    : cloudOpticalDepth(cloudViewVSOutput, " +
       input(attributes, "cloudDensity", "1.0") +
       ", gl_FrontFacing == (cloudFrontIsFront != 0));\n" +

@@ -37,6 +37,7 @@ struct CloudShaderChoice
   bool HasColors = false;
   std::string DensityVolume; ///< code of meanDensityOfVolume, empty: there is none
   GardnerWaves Waves;
+  bool HasRegion = false; ///< fragments outside of it are left out
 };
 
 /** Names of the uniforms of layer i. */

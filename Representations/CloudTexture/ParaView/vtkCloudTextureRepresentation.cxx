@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCloudTextureRepresentation.h"
 
-#include "CuttableSurface.h"
 #include "DataSets.h"
 #include "EmptyInput.h"
 #include "ForwardedMessages.h"
 #include "NeighborCells.h"
+#include "RankRegions.h"
 #include "SurfaceLength.h"
 #include "vtkCloudTextureMapper.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
+#include "vtkBoundingBox.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -22,7 +23,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
-#include "vtkPVView.h"
+#include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTrivialProducer.h"
@@ -37,6 +38,8 @@ vtkStandardNewMacro(vtkCloudTextureRepresentation);
 
 namespace
 {
+constexpr nephoscope::RankRegion allOfSpace{ { 1, -1, 1, -1, 1, -1 } }; // as the mapper has it
+
 // "None" is what the menu says.
 const char* ArrayName(const char* chosen)
 {
@@ -241,12 +244,6 @@ int vtkCloudTextureRepresentation::RequestData(
   for (vtkPolyData* surface : SurfacesOf(surfaces))
   {
     StoreLength(surface, length);
-    if (NumberOfRanks() > 1)
-    {
-      nephoscope::fanPolygons(surface);
-      nephoscope::keepPointsApart(
-        surface, vtkMultiProcessController::GetGlobalController()->GetLocalProcessId());
-    }
   }
   return made;
 }
@@ -282,13 +279,14 @@ int vtkCloudTextureRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Volume, 0, 1);
+    // Where ranks draw is chosen by their surfaces, which stay where they are: each rank gets all of them.
+    vtkPVRenderView::SetOrderedCompositingConfiguration(
+      inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   }
   if (request == vtkPVView::REQUEST_RENDER())
   {
-    auto* volume = vtkCompositeDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this, 1));
-    this->CloudMapper->SetDensityVolume(IsEmpty(volume) ? nullptr : volume);
-    this->TakeSurface(vtkPVView::GetDeliveredPiece(inInfo, this));
-    this->WarnOfRanks();
+    this->TakeDelivered(vtkPVView::GetDeliveredPiece(inInfo, this),
+      vtkCompositeDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this, 1)));
   }
   return 1;
 }
@@ -340,18 +338,33 @@ void vtkCloudTextureRepresentation::WarnOfVolume(vtkDataObject* input)
   this->HasToldOfVolume = hasVolumes;
 }
 
-// The surface is cut where the regions of two ranks meet, so the back of a cloud may be another rank's.
-void vtkCloudTextureRepresentation::WarnOfRanks()
+// Where ranks draw in regions of their own, each gets the surface and the density of all: a cloud may begin in the region of one rank and end in that of
+// another. Collective.
+void vtkCloudTextureRepresentation::TakeDelivered(
+  vtkDataObject* surface, vtkCompositeDataSet* volume)
 {
-  auto* controller = vtkMultiProcessController::GetGlobalController();
-  if (NumberOfRanks() > 1 && this->CloudMapper->GetUseThickness() && !this->HasToldOfRanks &&
-    controller->GetLocalProcessId() == 0)
+  const std::vector<vtkBoundingBox>* boxes =
+    NumberOfRanks() > 1 ? nephoscope::boxesOfRanks(this->GetView()) : nullptr;
+  if (boxes)
   {
-    this->HasToldOfRanks = true;
-    vtkWarningMacro(
-      "Each rank finds the thickness of its own part of the clouds only, and has its own part of the Density Volume, so the thickness is wrong at the borders of ranks. "
-      "Draw with one process, or without Use Thickness.");
+    surface = this->Surfaces.Of(surface, "",
+      [](vtkDataObject* own, const std::string&) { return nephoscope::surfacesOfRanks(own); });
   }
+  if (boxes && this->CloudMapper->GetUseThickness())
+  {
+    vtkMultiBlockDataSet* whole = this->Densities.Of(
+      volume, this->CloudMapper->GetDensityArrayName(), nephoscope::densitiesOfRanks);
+    volume = IsEmpty(whole) ? volume : whole; // what is no grid has its message
+  }
+  this->CloudMapper->SetDensityVolume(IsEmpty(volume) ? nullptr : volume);
+  this->TakeSurface(surface);
+  nephoscope::RankRegion region = allOfSpace;
+  if (boxes)
+  {
+    region = nephoscope::hasRegion(this->GetView()) ? nephoscope::regionOfRank(this->GetView())
+                                                    : nephoscope::RankRegion{};
+  }
+  this->CloudMapper->SetRegion(region.data());
 }
 
 // One surface of all blocks, made anew only for new data or another coloured array.

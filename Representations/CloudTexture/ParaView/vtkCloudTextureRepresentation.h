@@ -4,10 +4,10 @@
  * @class vtkCloudTextureRepresentation
  * @brief ParaView representation "Cloud Texture": surfaces of clouds, drawn by vtkCloudTextureMapper
  *
- * ParaView's surface representation with another mapper: colours, lights, opacity and transformations are those of surfaces. Blocks are drawn as one
- * surface. On several ranks unstructured data get the cells of other ranks that they lack, so that no wall is drawn between ranks, and polygons are
- * divided into triangles, which the view can cut between ranks. The length of a unit of texture, where coordinates are positions, is that of the whole surface on all ranks.
- * Thickness is found within the part of the surface that a rank draws, and a warning says so on several ranks.
+ * As ParaView's surface representation, with another mapper: colours, lights, opacity and transformations are its own. Blocks are drawn as one
+ * surface. On several ranks unstructured data get the cells of other ranks that they lack, so that no wall is drawn between ranks. Each rank gets the surface of all, and
+ * with Use Thickness their density volume, and draws the fragments that lie in its region: the picture is that of one process. The length of a unit of texture, where
+ * coordinates are positions, is that of the whole surface on all ranks.
  * Levels of detail are not used: they have no texture coordinates.
  */
 #ifndef vtkCloudTextureRepresentation_h
@@ -17,12 +17,14 @@
 #include "vtkNephoscopeParaViewCloudTextureModule.h" // for export macro
 
 #include "JoinedSurfaces.h"
+#include "RankUnion.h"
 #include "vtkCloudTextureMapper.h"
 #include "vtkNew.h"          // for members
 #include "vtkSmartPointer.h" // for members
 
 #include <string> // for members
 
+class vtkCompositeDataSet;
 class vtkMultiBlockDataSet;
 class vtkPolyData;
 class vtkTrivialProducer;
@@ -86,8 +88,8 @@ public:
 
   ///@{
   /**
-   * Input 1, optional: the grid that vtkCloudTextureMapper integrates the density of. Each process uses the part that it has; on several ranks a warning
-   * says so.
+   * Input 1, optional: the grid that vtkCloudTextureMapper integrates the density of. On several ranks each
+   * gets the parts of all, with this array alone.
    */
   void SetDensityVolumeConnection(vtkAlgorithmOutput* volume);
   void RemoveDensityVolume();
@@ -109,20 +111,20 @@ private:
 
   void RequestNeighborCells(vtkInformationVector* inputs);
   void CompleteInput(vtkInformationVector* inputs);
+  void TakeDelivered(vtkDataObject* surface, vtkCompositeDataSet* volume);
   void TakeSurface(vtkDataObject* delivered);
   void ReadVolume(vtkInformationVector* inputs);
   void WarnOfNothing(vtkDataObject* input, vtkDataObject* surfaces);
   void WarnOfVolume(vtkDataObject* input);
-  void WarnOfRanks();
 
   vtkNew<vtkCloudTextureMapper> CloudMapper;
   vtkSmartPointer<vtkTrivialProducer>
     CompletedInput; // with cells of other ranks; null where the input does
   nephoscope::JoinedSurfaces Blocks;
+  nephoscope::RankUnion Surfaces, Densities;    // of all ranks
   vtkSmartPointer<vtkMultiBlockDataSet> Volume; // its one block, or none
   vtkDataObject* ReadFrom = nullptr;            // only compared
   vtkMTimeType ReadTime = 0;
-  bool HasToldOfRanks = false;
   bool HasToldOfVolume = false; // and the input has not changed to surfaces since
   std::string Nothing;          // why nothing is drawn, as it has been told
 };

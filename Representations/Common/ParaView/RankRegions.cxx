@@ -9,6 +9,14 @@
 
 namespace nephoscope
 {
+namespace
+{
+std::size_t ownRank()
+{
+  return static_cast<std::size_t>(
+    vtkMultiProcessController::GetGlobalController()->GetLocalProcessId());
+}
+} // namespace
 
 const std::vector<vtkBoundingBox>* boxesOfRanks(vtkView* view)
 {
@@ -20,13 +28,18 @@ const std::vector<vtkBoundingBox>* boxesOfRanks(vtkView* view)
                                                                       : nullptr;
 }
 
+bool hasRegion(vtkView* view)
+{
+  const std::vector<vtkBoundingBox>* boxes = boxesOfRanks(view);
+  return !boxes || (ownRank() < boxes->size() && (*boxes)[ownRank()].IsValid());
+}
+
 RankRegion regionOfRank(vtkView* view)
 {
   const std::vector<vtkBoundingBox>* boxes = boxesOfRanks(view);
-  const auto rank =
-    static_cast<std::size_t>(vtkMultiProcessController::GetGlobalController()->GetLocalProcessId());
+  const std::size_t rank = ownRank();
   RankRegion region = wholeSpace;
-  if (!boxes || rank >= boxes->size() || !(*boxes)[rank].IsValid())
+  if (!boxes || !hasRegion(view))
   {
     return region;
   }
