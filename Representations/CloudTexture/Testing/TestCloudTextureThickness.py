@@ -326,6 +326,25 @@ class Default(BodyTestCase):
             scene.renderer.SetUseDepthPeeling(peeling)
             self.assertAlmostEqual(self.draw(window)[32, 32], opacity(0.4), delta=1.5 / 255)
 
+    def test_regions(self):
+        """Two that share a picture draw that of one: each fragment once, with the thickness of the whole, turned or not."""
+        data = together(box(LOW, HIGH), box((-0.9, -0.7, -3), (0.8, 0.9, -1.5)))
+        for axis, border, turn in ((0, 0.1, 0), (0, 0.1, 30), (2, -0.9, 0)):
+            parts = []
+            for low, high in ((-np.inf, np.inf), (-np.inf, border), (border, np.inf), (border, border)):
+                window, scene, mapper, actor = self.bodies(data, extinction=0.5)
+                actor.RotateZ(turn)
+                region = [-np.inf, np.inf] * 3
+                region[2 * axis:2 * axis + 2] = low, high
+                mapper.SetRegion(region)
+                scene.renderer.SetUseDepthPeeling(True)
+                parts.append(self.draw(window))
+            whole, first, second, none = parts
+            with self.subTest(axis=axis, turn=turn):
+                self.assertGreater(min(first.max(), second.max()), 0.2)
+                self.assertEqual(none.max(), 0)
+                self.compare(1 - (1 - first) * (1 - second), whole.ravel(), allowed=2.5 / 255)
+
     def test_off(self):
         window, scene, mapper, _ = self.bodies(box(LOW, HIGH), size=(65, 65), position=(0, 0, 5))
         mapper.UseThicknessOff()
