@@ -69,9 +69,9 @@ def compare(first, second, title, names, largest, mean, dots=0.0):
             sys.exit(f"{title}, {name}: more than max {largest}, in {more:.3%} of the pixels, mean {mean}")
 
 
-def run_ranks(script, names, number):
-    """The pictures that so many processes draw."""
-    return run(launcher(number) + [program("PVBATCH"), "--dr"], script, str(number), names)
+def run_ranks(script, names, number, limit=300):
+    """The pictures that so many processes draw, in at most `limit` s."""
+    return run(launcher(number) + [program("PVBATCH"), "--dr"], script, str(number), names, limit=limit)
 
 
 def launcher(number):

@@ -105,6 +105,8 @@ EXCEPTIONS = {
     ("ParaView", "vtkTexturedSplatMapper", "CellSizeFromNeighbors"): "neighbours on other ranks are not known",
     **{("ParaView", "vtkTexturedSplatMapper", name): BY_REPRESENTATION for name in ("CommonFrame", "Region", "ShapeArrayName")},
     **{("PyVista", "vtkTexturedSplatMapper", name): "for several ranks, of which there is one" for name in ("CommonFrame", "Region", "ShapeArrayName")},
+    ("ParaView", "vtkCloudTextureMapper", "Region"): BY_REPRESENTATION,
+    ("PyVista", "vtkCloudTextureMapper", "Region"): "for several ranks, of which there is one",
     ("ParaView", "vtkTexturedSplatMapper", "InteractiveUpdateRate"): "of the host: above which frame rate a picture counts as interactive",
     ("PyVista", "vtkTexturedSplatMapper", "InteractiveUpdateRate"): "of the host: above which frame rate a picture counts as interactive",
 }

@@ -263,7 +263,7 @@ vtkDataArray* arrayOfPoints(vtkDataSet* set, const std::string& name)
                       : set->GetPointData()->GetArray(name.c_str());
 }
 
-// Of one image: the same lattice, and an array of points with the same name.
+// Whether they are of one image: the same lattice, and an array of points with the same name.
 bool arePieces(vtkImageData* a, vtkImageData* b, const std::string& name)
 {
   const auto arrayOf = [&](vtkDataSet* set) { return arrayOfPoints(set, name); };
