@@ -2,8 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Not a test by itself: draws the pictures that CloudTextureThicknessRanks.py compares.
 
-Usage: CloudTextureThicknessRun.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there, and all there, however small the data are,
-unless a name is that of a picture drawn here, "... here".
+Usage: CloudTextureThicknessRun.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there, and all there, however small the data are.
 """
 import sys
 
@@ -71,7 +70,6 @@ def draw_volumes():
     for name, volume in (("image", image_of_water), ("structured", grid), ("unstructured", pvs.AppendDatasets(Input=[grid])),
                          ("blocks volume", pvs.GroupDatasets(Input=[grid]))):
         draw(name, surface_of(volume), FAR, DensityVolume=volume, DensityArrayName="Water", Extinction=3)
-    draw("image here", surface, FAR, DensityVolume=image_of_water, DensityArrayName="Water", Extinction=3)
 
 
 def draw_in_air():
@@ -116,7 +114,7 @@ def draw_turned():
 
 if len(sys.argv) > 2:
     pvs.Connect("localhost", int(sys.argv[2]))
-    pvs.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 20 if "here" in sys.argv[3] else 0
+    pvs.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0
 load_plugin()
 pvs._DisableFirstRenderCameraReset()  # whichever picture is the first
 draw("ball", ball(radius=3))
