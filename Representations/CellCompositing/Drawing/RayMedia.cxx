@@ -34,9 +34,7 @@ namespace nephoscope
 namespace
 {
 // As often as one of the rays enters any of the meshes, at least.
-constexpr int maximumStretches = 4096;
-constexpr int stretchesInPass = 4;
-constexpr int layers = stretchesInPass + 1; // the end of the stretch before a pass is its beginning
+constexpr int maximumRounds = 4096;
 
 const char* const planVertex = "//VTK::System::Dec\n"
                                "void main()\n"
@@ -87,20 +85,12 @@ std::string mediaCalls(int count)
     "vec3 placeInViewOfFirst(float place) { return placeInView_0(place); }\n";
 }
 
-void allocateLayers(vtkTextureObject* texture, const CellDrawing& drawing, int components)
+void allocateFloats(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height)
 {
-  texture->SetContext(drawing.Window);
-  texture->Allocate3D(static_cast<unsigned int>(drawing.Viewport[2]),
-    static_cast<unsigned int>(drawing.Viewport[3]), layers, components, VTK_FLOAT);
+  texture->SetContext(window);
+  texture->Allocate2D(width, height, 4, VTK_FLOAT);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-}
-
-// VTK's framebuffer keeps the layer that a texture had when it was attached first.
-void attachLayer(unsigned int attachment, vtkTextureObject* texture, int layer)
-{
-  glFramebufferTextureLayer(
-    GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + attachment, texture->GetHandle(), 0, layer);
 }
 
 void activate(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
@@ -134,8 +124,11 @@ void RayMedia::Allocate(const CellDrawing& drawing)
     return;
   }
   this->PlanFramebuffer->SetContext(drawing.Window);
-  allocateLayers(this->Ends, drawing, 2);
-  allocateLayers(this->Faces, drawing, Most);
+  for (vtkTextureObject* texture :
+    { this->Plans[0].Get(), this->Plans[1].Get(), this->Faces.Get() })
+  {
+    allocateFloats(texture, drawing.Window, width, height);
+  }
   this->Size[0] = width;
   this->Size[1] = height;
 }
@@ -191,19 +184,16 @@ std::string RayMedia::DrawFrom(const std::vector<Medium>& media)
   }
   this->Begin(media);
   bool more = true;
-  for (int first = 0, stretch = 0; more && stretch < maximumStretches; ++stretch)
+  for (int round = 0; more && round < maximumRounds; ++round)
   {
     more = this->FindNextEntries(media);
-    this->PlanStretch(media, stretch);
+    this->DrawPlan(media, round == 0);
+    this->DrawRound(media);
     std::swap(this->Last, this->Then);
-    if (!more || stretch + 1 == first + stretchesInPass)
-    {
-      this->DrawStretches(media, first, stretch);
-      first = stretch + 1;
-    }
+    this->Plan = 1 - this->Plan;
     for (const Medium& medium : media)
     {
-      medium.Rays->NumberOfLayers = stretch + 1;
+      medium.Rays->NumberOfLayers = round + 1;
     }
   }
   return std::string();
@@ -247,14 +237,14 @@ bool RayMedia::FindNextEntries(const std::vector<Medium>& media)
   return any;
 }
 
-void RayMedia::PlanStretch(const std::vector<Medium>& media, int stretch)
+void RayMedia::DrawPlan(const std::vector<Medium>& media, bool first)
 {
   const CellDrawing& drawing = *media[0].Drawing;
   vtkOpenGLState* state = drawing.Window->GetState();
   state->PushFramebufferBindings();
   this->PlanFramebuffer->Bind();
-  attachLayer(0, this->Ends, stretch % layers);
-  attachLayer(1, this->Faces, stretch % layers);
+  this->PlanFramebuffer->AddColorAttachment(0, this->Plans[this->Plan]);
+  this->PlanFramebuffer->AddColorAttachment(1, this->Faces);
   GLenum buffers[2 + Most];
   const int count = static_cast<int>(media.size());
   for (int i = 0; i < count; ++i)
@@ -274,6 +264,8 @@ void RayMedia::PlanStretch(const std::vector<Medium>& media, int stretch)
   vtkShaderProgram* program = this->PlanProgram;
   drawing.Window->GetShaderCache()->ReadyShaderProgram(program);
   const double plane = RayGeometry(drawing.View).Distance();
+  program->SetUniformi("isFirst", first ? 1 : 0);
+  activate(program, "lastPlan", this->Plans[1 - this->Plan]);
   for (int i = 0; i < count; ++i)
   {
     const Medium& medium = media[static_cast<std::size_t>(i)];
@@ -289,6 +281,7 @@ void RayMedia::PlanStretch(const std::vector<Medium>& media, int stretch)
   this->VertexArray->Bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   this->VertexArray->Release();
+  this->Plans[1 - this->Plan]->Deactivate();
   for (const Medium& medium : media)
   {
     medium.Rays->Entries.GetTexture(this->Last)->Deactivate();
@@ -301,7 +294,7 @@ void RayMedia::PlanStretch(const std::vector<Medium>& media, int stretch)
   state->PopFramebufferBindings();
 }
 
-void RayMedia::DrawStretches(const std::vector<Medium>& media, int first, int last)
+void RayMedia::DrawRound(const std::vector<Medium>& media)
 {
   const CellDrawing& common = *media[0].Drawing;
   vtkOpenGLState* state = common.Window->GetState();
@@ -316,9 +309,7 @@ void RayMedia::DrawStretches(const std::vector<Medium>& media, int first, int la
   common.SetCommonUniforms(program);
   const double plane = RayGeometry(common.View).Distance();
   program->SetUniformf("firstPlane", static_cast<float>(plane));
-  program->SetUniformi("firstStretch", first);
-  program->SetUniformi("lastStretch", last);
-  activate(program, "stretchEnds", this->Ends);
+  activate(program, "roundPlan", this->Plans[this->Plan]);
   activate(program, "enteredFaces", this->Faces);
   for (int i = 0; i < static_cast<int>(media.size()); ++i)
   {
@@ -335,7 +326,7 @@ void RayMedia::DrawStretches(const std::vector<Medium>& media, int first, int la
   }
   glDrawArrays(GL_TRIANGLES, 0, 3);
   this->VertexArray->Release();
-  this->Ends->Deactivate();
+  this->Plans[this->Plan]->Deactivate();
   this->Faces->Deactivate();
   for (const Medium& medium : media)
   {
@@ -346,7 +337,8 @@ void RayMedia::DrawStretches(const std::vector<Medium>& media, int first, int la
 
 void RayMedia::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (vtkTextureObject* texture : { this->Ends.Get(), this->Faces.Get() })
+  for (vtkTextureObject* texture :
+    { this->Plans[0].Get(), this->Plans[1].Get(), this->Faces.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }

@@ -3,10 +3,10 @@
 /**
  * Draws several media ray by ray as one: where they overlap in space, their extinctions add.
  *
- * Each pixel's ray walks through all meshes in step. It enters every mesh through the nearest boundary face, as RayCells has it. A
- * stretch of the ray ends where it enters one of the meshes again: there the next face of that mesh is taken, while the walks through the
- * others go on. Some stretches are drawn in one pass. The next pass restarts each walk at the last face where its ray entered, and reaches
- * its position without integrating.
+ * Each pixel's ray walks through all meshes in step. It enters every mesh through the nearest boundary face, as RayCells has it, and a
+ * round ends where the ray enters one of the meshes again: there the next face of that mesh is taken, while the walks through the others
+ * begin anew at their last faces and come to the place without integrating. A round therefore costs little where meshes are convex or
+ * their gaps few: there is one round more than re-entries.
  */
 #ifndef nephoscope_RayMedia_h
 #define nephoscope_RayMedia_h
@@ -58,12 +58,13 @@ private:
   bool ReadyPrograms(const std::vector<Medium>& media);
   void Begin(const std::vector<Medium>& media);
   bool FindNextEntries(const std::vector<Medium>& media);
-  void PlanStretch(const std::vector<Medium>& media, int stretch);
-  void DrawStretches(const std::vector<Medium>& media, int first, int last);
+  void DrawPlan(const std::vector<Medium>& media, bool first);
+  void DrawRound(const std::vector<Medium>& media);
 
-  // Numbers of RayCells' entries: those that count in this stretch, the next ones, and those of the next stretch.
+  // Numbers of RayCells' entries: those that count in this round, the next ones, and those of the next round.
   int Last = 0, Next = 1, Then = 2;
-  vtkNew<vtkTextureObject> Ends; // of the last stretches, in as many layers
+  vtkNew<vtkTextureObject> Plans[2]; // of this round and of the one before
+  int Plan = 0;
   vtkNew<vtkTextureObject> Faces;
   vtkNew<vtkOpenGLFramebufferObject> PlanFramebuffer;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;

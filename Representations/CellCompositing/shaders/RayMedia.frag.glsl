@@ -4,12 +4,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light of several media that may overlap in space, along a pixel's ray: extinctions add, and every medium emits in proportion to its own.
 // The ray walks through all meshes in step, from one place to the next where any of them has a new piece (RayMedium.glsl).
-//   in:  stretches of the ray, each of which ends where it enters one of the meshes again (RayPlan.frag.glsl)
+//   in:  what a round is to draw (RayPlan.frag.glsl)
 //   out: premultiplied colour and alpha, front to back
 //NEPHOSCOPE::Arrays
-uniform sampler3D stretchEnds;  // of each stretch: its last place; bits of the media that enter their meshes again there
-uniform sampler3D enteredFaces; // of each medium: boundary face through which the ray entered; -1: none; -2: starts at the eye
-uniform int firstStretch, lastStretch;
+uniform sampler2D roundPlan;    // places from, and up to; bits of the media that enter their meshes again there
+uniform sampler2D enteredFaces; // of each medium: boundary face through which the ray entered; -1: none; -2: starts at the eye
 uniform float firstPlane;       // distance from the eye's plane of the places 0
 
 //NEPHOSCOPE::Constants
@@ -18,12 +17,9 @@ uniform float firstPlane;       // distance from the eye's plane of the places 0
 //NEPHOSCOPE::OpticalSegment
 //NEPHOSCOPE::MixedSegment
 
-ivec2 pixel = ivec2(0);
+vec4 plan = vec4(0.0);
 vec4 entered = vec4(-1.0);
-int enteredAgain = 0;        // bits: at the end of this stretch
-int starting = 0;            // bits: at its beginning
-vec2 seenPlaces = vec2(0.0);
-vec2 mediaRange = vec2(0.0); // places of this stretch
+vec2 mediaRange = vec2(0.0); // places of this round
 float mediaEnd = 0.0;        // nothing is seen behind
 vec2 beside = vec2(0.0);     // by how many pixels the ray passes the centre of its pixel
 int lostMedium = -1;         // the walk through its mesh is lost
@@ -99,12 +95,13 @@ float walkTo(float end, float from)
   return place;
 }
 
-// From the place where the stretch begins to where it, the light or what is seen ends.
+// From the place where the round begins to where it, the light or what is seen ends.
 void walkTogether()
 {
   const int most = 1 << 20;
   float end = min(mediaRange.y, mediaEnd);
   float place = mediaRange.x;
+  lostMedium = -1;
   for (int i = 0; i < most && place < end && mixedLight.a < 0.9999999; ++i)
   {
     fitHaze(place, 1.0e-5 * abs(place));
@@ -120,67 +117,18 @@ void walkTogether()
   }
 }
 
-// Layers of the textures are used again and again; the one before holds the end of the stretch before.
-void readStretch(int i)
-{
-  int layers = textureSize(stretchEnds, 0).z;
-  float begin = i == 0 ? -3.0e38 : texelFetch(stretchEnds, ivec3(pixel, (i - 1) % layers), 0).x;
-  vec2 end = texelFetch(stretchEnds, ivec3(pixel, i % layers), 0).xy;
-  entered = texelFetch(enteredFaces, ivec3(pixel, i % layers), 0);
-  mediaRange = vec2(max(begin, seenPlaces.x), end.x);
-  enteredAgain = int(end.y);
-}
-
-bool isEmptyStretch()
-{
-  bool nothingSeen = enteredAgain > 0 ? mediaRange.x >= mediaEnd : mediaRange.x >= min(mediaRange.y, mediaEnd);
-  return nothingSeen || all(equal(entered, vec4(-1.0)));
-}
-
-bool areAllEmpty()
-{
-  for (int i = firstStretch; i <= lastStretch; ++i)
-  {
-    readStretch(i);
-    if (!isEmptyStretch())
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-// Media that are not entered anew go on where they are.
-void walkStretches()
-{
-  mixedLight = vec4(0.0);
-  lostMedium = -1;
-  starting = -1;
-  for (int i = firstStretch; i <= lastStretch && mixedLight.a < 0.9999999; ++i)
-  {
-    readStretch(i);
-    startMedia();
-    starting = enteredAgain;
-    if (!isEmptyStretch())
-    {
-      startHaze();
-      walkTogether();
-    }
-    if (lostMedium >= 0 && !isLastAttempt)
-    {
-      return;
-    }
-  }
-}
-
 void main()
 {
   prepareMedia();
-  pixel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  plan = texelFetch(roundPlan, pixel, 0);
+  entered = texelFetch(enteredFaces, pixel, 0);
   vec2 depths = visibleDepths();
-  seenPlaces = vec2(-zFromDepth(depths.x), -zFromDepth(depths.y)) - firstPlane;
+  vec2 seenPlaces = vec2(-zFromDepth(depths.x), -zFromDepth(depths.y)) - firstPlane;
+  mediaRange = vec2(max(plan.x, seenPlaces.x), plan.y);
   mediaEnd = seenPlaces.y;
-  if (depths.x >= depths.y || areAllEmpty())
+  bool isEmpty = plan.z > 0.0 ? mediaRange.x >= mediaEnd : mediaRange.x >= min(mediaRange.y, mediaEnd);
+  if (all(equal(entered, vec4(-1.0))) || isEmpty || depths.x >= depths.y)
   {
     discard;
   }
@@ -189,7 +137,10 @@ void main()
   {
     isLastAttempt = attempt == 8;
     placeBesideOfMedia(attempt);
-    walkStretches();
+    mixedLight = vec4(0.0);
+    startMedia();
+    startHaze();
+    walkTogether();
     if (lostMedium < 0)
     {
       break;

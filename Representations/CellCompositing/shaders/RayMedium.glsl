@@ -187,13 +187,8 @@ void placeBeside(int attempt)
   }
 }
 
-// Where the ray enters the mesh in this stretch.
 void startMedium()
 {
-  if ((starting >> mediumNumber & 1) == 0)
-  {
-    return;
-  }
   makeRay(beside);
   keepCameraLight(along);
   placePerDistance = -dot(vec3(MCVCMatrix[0].z, MCVCMatrix[1].z, MCVCMatrix[2].z), along);
@@ -262,7 +257,7 @@ void addMedium(float from, float to)
 // What is left of a stretch of mesh where the next one begins: parts of a mesh that overlap are composited one after the other.
 void finishMedium(float place)
 {
-  bool overlaps = (enteredAgain >> mediumNumber & 1) != 0;
+  bool overlaps = (int(plan.z) >> mediumNumber & 1) != 0;
   for (int i = 0; i < maximumSteps && overlaps && !mediumEnds && pieceFrom < mediumRange.y; ++i)
   {
     float from = max(max(pieceFrom, place), mediumRange.x);

@@ -15,14 +15,14 @@ void findNextEntry()
   entry = texelFetch(lastEntry, ivec2(gl_FragCoord.xy), 0).rg;
   following = texelFetch(nextEntry, ivec2(gl_FragCoord.xy), 0).rg;
   followingPlace = following.x < 0.0 ? 3.0e38 : mix(entryPlaces.x, entryPlaces.y, following.y);
-  stretchEnd = min(stretchEnd, followingPlace);
+  roundEnd = min(roundEnd, followingPlace);
 }
 
 void advanceMedium()
 {
   bool isAtEye = startsAtEye != 0 && entry.y < 0.0;
   faces[mediumNumber] = isAtEye ? -2.0 : entry.x;
-  if (following.x >= 0.0 && followingPlace <= stretchEnd)
+  if (following.x >= 0.0 && followingPlace <= roundEnd)
   {
     enteredAgain += 1 << mediumNumber;
     entry = following;
