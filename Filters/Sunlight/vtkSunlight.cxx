@@ -188,6 +188,13 @@ void vtkSunlight::ScaleOptics(Work& work) const
 {
   nephoscope::cutResidues(work.Extinction);
   work.Scaled = work.Extinction;
+  double sum = 0, whole = 1e-30;
+  for (std::size_t p = 0; p < work.Scaled.size(); ++p)
+  {
+    sum += work.Extinction[p] * double(work.Asymmetry[p]);
+    whole += work.Extinction[p];
+  }
+  work.Taken = std::max(0.0, std::min(sum / whole, 1.0));
   for (std::size_t p = 0; p < work.Scaled.size() && this->MultipleScattering; ++p)
   {
     const nephoscope::ScaledMedium medium =
@@ -218,7 +225,9 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
   const std::unique_ptr<nephoscope::SunPaths> paths =
     nephoscope::sunPathsOf(data, work.Places, fields, work.Sun, work.Repeats);
   work.Transmittance.assign(fields.size(), 0.0f);
+  constexpr double mostByDay = 0.99 * nephoscope::LightGrid::Night;
   work.ScaledDepth.assign(fields.size(), nephoscope::LightGrid::Night);
+  work.DiffuseDepth = work.ScaledDepth;
   const auto isLit = [&](
                        vtkIdType p) { return !isInShadow(work.Planet, work.Places[p], work.Sun); };
   const auto trace = [&](vtkIdType begin, vtkIdType end) {
@@ -234,8 +243,9 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
       for (const auto& [extinction, scaled] : depths)
       {
         work.Transmittance[p] = static_cast<float>(std::exp(-extinction));
-        work.ScaledDepth[p++] =
-          static_cast<float>(std::min(scaled, 0.99 * nephoscope::LightGrid::Night));
+        work.ScaledDepth[p] = static_cast<float>(std::min(scaled, mostByDay));
+        const double mixed = extinction + work.Taken * (scaled - extinction);
+        work.DiffuseDepth[p++] = static_cast<float>(std::min(mixed, mostByDay));
       }
     }
   };
@@ -424,6 +434,16 @@ int vtkSunlight::RequestData(
     output->Initialize();
   }
   return 1;
+}
+
+void vtkSunlight::SetAzimuthAngles(int count)
+{
+  const int clamped = count <= 0 ? 0 : std::max(4, std::min(count, 64));
+  if (clamped != this->AzimuthAngles)
+  {
+    this->AzimuthAngles = clamped;
+    this->Modified();
+  }
 }
 
 void vtkSunlight::PrintSelf(ostream& os, vtkIndent indent)

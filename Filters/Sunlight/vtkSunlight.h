@@ -162,11 +162,11 @@ public:
   ///@{
   /**
    * Number of zenith angles in each hemisphere (1 to 16) and of azimuth angles (4 to 64) of the diffuse light. Zenith angles with larger solid angles
-   * have twice as many azimuth angles. Defaults 3 and 4: 4, 8 and 4 directions per hemisphere.
+   * have twice as many azimuth angles. Default 0, automatic: 6 and 8 for grids of up to 20,000 points, 4 and 6 up to 120,000, else 3 and 4.
    */
-  vtkSetClampMacro(ZenithAngles, int, 1, 16);
+  vtkSetClampMacro(ZenithAngles, int, 0, 16);
   vtkGetMacro(ZenithAngles, int);
-  vtkSetClampMacro(AzimuthAngles, int, 4, 64);
+  virtual void SetAzimuthAngles(int count);
   vtkGetMacro(AzimuthAngles, int);
   ///@}
 
@@ -294,8 +294,8 @@ private:
   double SkyLight = 0.08;
   bool PeriodicSides = false;
   bool MultipleScattering = true;
-  int ZenithAngles = 3;
-  int AzimuthAngles = 4;
+  int ZenithAngles = 0;
+  int AzimuthAngles = 0;
   bool UseViewPosition = false;
   bool ParallelView = false;
   bool FollowCamera = false;

@@ -69,12 +69,13 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
             nephoscope::secondLegendre(dot(toEye, up) / length) * work.SecondMoment[p];
       }
       const double source =
-        0.25 * work.Albedo[p] * (std::max(work.Fluence[p] + directed, 0.0) + beam * sunlight);
+        0.25 * work.Albedo[p] * std::max(work.Fluence[p] + directed + beam * sunlight, 0.0);
       extinction->SetValue(p, work.Scaled[p]);
       transmittance->SetValue(p, static_cast<float>(shadow * work.Transmittance[p]));
       const bool isBelow = this->OnSurface && !work.BelowClouds.empty() && work.BelowClouds[p] >= 0;
-      const double arriving =
-        isBelow ? work.BelowClouds[p] : std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p];
+      const double arriving = isBelow
+        ? work.BelowClouds[p]
+        : std::max(std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p], 0.0);
       irradiance->SetValue(p, static_cast<float>(arriving));
       light->SetValue(p, static_cast<float>(this->OnSurface ? arriving : source));
       upward->SetValue(p, work.Up[p]);

@@ -5,6 +5,7 @@
 
 #include "DiffuseLight.h"
 #include "LitData.h"
+#include "PhaseFunction.h"
 #include "ThreadTeam.h"
 #include "Vector3.h"
 #include "vtkSunlightInternals.h"
@@ -17,6 +18,8 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -24,6 +27,27 @@
 using nephoscope::addPointArray;
 using nephoscope::dot;
 using nephoscope::Vector;
+
+namespace
+{
+// From the medium that is drawn to that of the diffuse light, which keeps more of the forward peak.
+void scaleForDiffuse(
+  nephoscope::LightGrid& grid, const std::vector<float>& extinction, double taken)
+{
+  grid.Second.resize(grid.Points());
+  for (std::size_t p = 0; p < grid.Points(); ++p)
+  {
+    const double g = grid.Asymmetry[p] / (1.0 - grid.Asymmetry[p]), peak = g * g;
+    const double albedo = grid.Albedo[p] / (1 - peak + grid.Albedo[p] * peak);
+    const nephoscope::ScaledMedium medium =
+      nephoscope::scaled(extinction[p], albedo, g, taken * peak);
+    grid.Extinction[p] = static_cast<float>(medium.Extinction);
+    grid.Albedo[p] = static_cast<float>(medium.Albedo);
+    grid.Asymmetry[p] = static_cast<float>(medium.Asymmetry);
+    grid.Second[p] = static_cast<float>(medium.Second);
+  }
+}
+}
 
 // On structured data; otherwise Sample has made some of it.
 bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
@@ -39,7 +63,8 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   grid.Extinction = axes.Order.Of(work.Scaled);
   grid.Albedo = axes.Order.Of(work.Albedo);
   grid.Asymmetry = axes.Order.Of(work.Asymmetry);
-  grid.Depth = axes.Order.Of(work.ScaledDepth);
+  grid.Depth = axes.Order.Of(work.DiffuseDepth);
+  scaleForDiffuse(grid, axes.Order.Of(work.Extinction), work.Taken);
   grid.Shadow = axes.Order.Of(work.Shadow);
   grid.GroundAlbedo = this->GroundAlbedo;
   grid.Sun.resize(grid.Points());
@@ -59,8 +84,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   }
   this->WarnOfSides(grid);
   nephoscope::LightSettings settings;
-  settings.Zenith = this->ZenithAngles;
-  settings.Azimuth = this->AzimuthAngles;
+  settings.Angles = { this->ZenithAngles, this->AzimuthAngles };
   nephoscope::ThreadTeam team;
   const auto parallel = [&team](int n, const std::function<void(int)>& body) { team.Run(n, body); };
   const nephoscope::DiffuseLight light = nephoscope::diffuseLight(
@@ -70,12 +94,21 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   for (std::size_t p = 0; p < grid.Points(); ++p)
   {
     const std::size_t q = axes.Order.NumberOf(p);
-    work.SecondMoment[q] = light.Field.SecondMoment[p];
+    // What is diffuse here, but comes straight from the sun in the medium that is drawn.
+    const float straight =
+      grid.ShadowAt(p) * (std::exp(-work.ScaledDepth[q]) - std::exp(-work.DiffuseDepth[q]));
+    const Vector& sun = grid.SunAt(p);
+    work.SecondMoment[q] =
+      light.Field.SecondMoment[p] - straight * nephoscope::secondLegendre(sun[2]);
     work.Absorbed[q] = light.Absorption[p];
-    work.Fluence[q] = std::max(light.Field.Fluence[p], 0.0f);
+    work.Fluence[q] = std::max(light.Field.Fluence[p], 0.0f) - straight;
     work.Up[q] = std::max(light.Field.Up(p), 0.0f);
-    work.Down[q] = std::max(light.Field.Down(p), 0.0f);
-    const Vector& flux = light.Field.Flux[p];
+    work.Down[q] = std::max(light.Field.Down(p), 0.0f) - straight * std::max(-sun[2], 0.0f);
+    Vector flux = light.Field.Flux[p];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      flux[axis] -= straight * sun[axis];
+    }
     for (int c = 0; c < 3; ++c)
     {
       work.Flux[q][c] =
@@ -92,7 +125,7 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
   copy.TakeReference(data->NewInstance());
   copy->CopyStructure(data);
   const std::pair<const char*, const std::vector<float>*> arrays[] = { { "Scaled", &work.Scaled },
-    { "Albedo", &work.Albedo }, { "Asymmetry", &work.Asymmetry } };
+    { "Whole", &work.Extinction }, { "Albedo", &work.Albedo }, { "Asymmetry", &work.Asymmetry } };
   for (const auto& [name, values] : arrays)
   {
     std::copy(values->begin(), values->end(), addPointArray(copy, name)->GetPointer(0));
@@ -113,8 +146,12 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
   coarse.Scaled = nephoscope::valuesOf(grid, "Scaled", 0, 1, ignored);
   coarse.Albedo = nephoscope::valuesOf(grid, "Albedo", 0, 1, ignored);
   coarse.Asymmetry = nephoscope::valuesOf(grid, "Asymmetry", 0, 1, ignored);
-  nephoscope::cutResidues(coarse.Scaled); // of interpolation
-  coarse.Extinction = coarse.Scaled;
+  coarse.Extinction = nephoscope::valuesOf(grid, "Whole", 0, 1, ignored);
+  for (std::vector<float>* one : { &coarse.Scaled, &coarse.Extinction })
+  {
+    nephoscope::cutResidues(*one); // of interpolation
+  }
+  coarse.Taken = work.Taken;
   coarse.StartDiffuse();
   if (!this->TraceSun(grid, coarse) || !this->Shade(coarse) || !this->Diffuse(grid, coarse))
   {

@@ -31,6 +31,9 @@ struct vtkSunlight::Work
   std::vector<nephoscope::Place> Places;
   std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
   std::vector<float> Transmittance, ScaledDepth;
+  // The medium of the diffuse light lacks this share of the forward peak, g^2, where that which is drawn lacks all; its depth towards the sun.
+  double Taken = 1;
+  std::vector<float> DiffuseDepth;
   // By clouds of the second input, if there are any: the fraction of sunlight; the irradiance of surfaces, negative where it is that of the open sky.
   std::vector<float> Shadow, BelowClouds;
   std::vector<float> Fluence, Up, Down, Absorbed, SecondMoment;

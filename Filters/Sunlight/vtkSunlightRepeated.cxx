@@ -26,6 +26,7 @@ bool vtkSunlight::LightRepeated(vtkDataSet* data, Work& work)
   whole.Planet = work.Planet;
   whole.Sun = work.Sun;
   whole.Repeats = true;
+  whole.Taken = work.Taken;
   whole.Places = nephoscope::placesOf(repeated.GetGrid());
   whole.Extinction = repeated.Of(work.Extinction);
   whole.Scaled = repeated.Of(work.Scaled);

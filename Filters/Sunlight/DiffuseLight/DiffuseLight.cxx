@@ -29,7 +29,7 @@ DiffuseLight diffuseLight(const LightGrid& grid, const LightSettings& settings,
   const BeamDeposit deposit = beamDeposit(grid, parallel);
   LightBalance balance(grid, deposit, parallel);
   balance.Solve(nullptr, light.Field, 1e-2);
-  const std::vector<Direction> directions = directionSet(settings.Zenith, settings.Azimuth);
+  const std::vector<Direction> directions = directionSet(anglesFor(settings.Angles, grid.Points()));
   DirectionSweep sweep(grid, deposit.Beam, directions, parallel);
   DiffuseField ordinates;
   do

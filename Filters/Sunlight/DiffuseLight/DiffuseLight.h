@@ -10,6 +10,7 @@
 #ifndef nephoscope_DiffuseLight_h
 #define nephoscope_DiffuseLight_h
 
+#include "DirectionSet.h"
 #include "LightBalance.h"
 #include "LightGrid.h"
 
@@ -20,8 +21,7 @@ namespace nephoscope
 {
 struct LightSettings
 {
-  int Zenith = 3;
-  int Azimuth = 4;
+  AngleCounts Angles{ 0, 0 };
   int MostIterations = 20;
   double Tolerance = 2e-3; ///< mean change of the fluence, as a fraction of its mean
 };

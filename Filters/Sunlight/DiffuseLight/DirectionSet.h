@@ -5,6 +5,7 @@
 #define nephoscope_DirectionSet_h
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,21 @@ struct Direction
   float X, Y, Z; // in which light goes
   float Weight;  // steradians
 };
+
+struct AngleCounts
+{
+  int Zenith, Azimuth; // 0: automatic
+};
+
+// Small grids get more directions: up to 120,000 points the light takes about 2 s of processor time.
+inline AngleCounts anglesFor(AngleCounts asked, std::size_t points)
+{
+  const AngleCounts automatic = points <= 20000 ? AngleCounts{ 6, 8 }
+    : points <= 120000                          ? AngleCounts{ 4, 6 }
+                                                : AngleCounts{ 3, 4 };
+  return { asked.Zenith > 0 ? asked.Zenith : automatic.Zenith,
+    asked.Azimuth > 0 ? asked.Azimuth : automatic.Azimuth };
+}
 
 // Nodes and weights on [0, 1] by Newton's method (AbramowitzStegun1964, 25.4.29).
 inline std::vector<std::pair<double, double>> gaussLegendre(int n)
@@ -40,22 +56,22 @@ inline std::vector<std::pair<double, double>> gaussLegendre(int n)
   return rule;
 }
 
-// `zenith` cosines in each hemisphere, with `azimuth` angles each; cosines with larger solid angles have twice as many. No direction is along an axis.
-inline std::vector<Direction> directionSet(int zenith, int azimuth)
+// Cosines in each hemisphere, with a number of azimuth angles each; cosines with larger solid angles have twice as many. No direction is along an axis.
+inline std::vector<Direction> directionSet(AngleCounts angles)
 {
   std::vector<Direction> directions;
   const double twoPi = 6.28318530717958647692;
   for (const double side : { 1.0, -1.0 })
   {
-    for (const auto& [mu, weight] : gaussLegendre(zenith))
+    for (const auto& [mu, weight] : gaussLegendre(angles.Zenith))
     {
       const double sine = std::sqrt(1 - mu * mu);
-      const int angles = weight * zenith > 1.2 ? 2 * azimuth : azimuth;
-      for (int a = 0; a < angles; ++a)
+      const int count = weight * angles.Zenith > 1.2 ? 2 * angles.Azimuth : angles.Azimuth;
+      for (int a = 0; a < count; ++a)
       {
-        const double angle = twoPi * (a + 0.5) / angles;
+        const double angle = twoPi * (a + 0.5) / count;
         directions.push_back({ float(sine * std::cos(angle)), float(sine * std::sin(angle)),
-          float(side * mu), float(twoPi / angles * weight) });
+          float(side * mu), float(twoPi / count * weight) });
       }
     }
   }

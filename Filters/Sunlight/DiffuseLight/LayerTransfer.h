@@ -28,6 +28,13 @@ struct LayerMedium
   }
 };
 
+/** Here - There of LayerConductance: what a layer absorbs per fluence at each of its points, without the rounding errors of the difference. */
+inline double layerAbsorption(const LayerMedium& medium)
+{
+  const double x = medium.Decay(), d = 1 / (3 * medium.Transport() * std::max(medium.Depth, 1e-4));
+  return d * x * std::tanh(0.5 * x);
+}
+
 /** The flux that leaves a point into the layer: Here F - There F(other point). */
 struct LayerConductance
 {

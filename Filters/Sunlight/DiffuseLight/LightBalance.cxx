@@ -39,6 +39,7 @@ void DiffuseField::Clear(std::size_t points)
   this->Flux.assign(points, Vector{ { 0, 0, 0 } });
   this->Vertical.assign(points, 0.0f);
   this->SecondMoment.assign(points, 0.0f);
+  this->Tilt.assign(points, { { 0, 0 } });
 }
 
 LightBalance::LightBalance(
@@ -301,7 +302,12 @@ void LightBalance::WritePoint(
   field.Fluence[p] = static_cast<float>(here);
   field.Vertical[p] = static_cast<float>(
     0.5 * here + (ordinates ? trust * (ordinates->Vertical[p] - 0.5 * ordinates->Fluence[p]) : 0));
-  field.SecondMoment[p] = static_cast<float>(ordinates ? trust * ordinates->SecondMoment[p] : 0);
+  if (ordinates)
+  {
+    const float share = static_cast<float>(trust);
+    field.SecondMoment[p] = share * ordinates->SecondMoment[p];
+    field.Tilt[p] = { { share * ordinates->Tilt[p][0], share * ordinates->Tilt[p][1] } };
+  }
   const std::size_t columns = this->Grid.Columns(), top = this->Grid.Points() - columns;
   const double white = this->Grid.GroundAlbedo;
   if (p >= top)
@@ -336,6 +342,7 @@ void LightBalance::CloseSeams(DiffuseField& field) const
   this->Grid.CloseSeams(field.Flux);
   this->Grid.CloseSeams(field.Vertical);
   this->Grid.CloseSeams(field.SecondMoment);
+  this->Grid.CloseSeams(field.Tilt);
 }
 
 // Negative values in a column are repeatedly balanced by the columns beside it.
@@ -406,12 +413,15 @@ std::vector<float> LightBalance::Absorption() const
 {
   std::vector<float> absorbed(this->Grid.Points(), 0.0f);
   this->ForPoints([&](std::size_t p, const Index& at) {
-    const auto half = [&](const Edge& e) {
-      return (e.Here - e.There) * this->Fluence[p] + 0.5 * e.Lost;
+    const std::size_t above = this->Grid.Columns();
+    const auto half = [&](std::size_t q) {
+      const Edge& e = this->Edges[2][q];
+      const LayerMedium medium = between(this->Grid, q, q + above, this->Grid.Step[q][2]);
+      return e.Area * layerAbsorption(medium) * this->Fluence[p] + 0.5 * e.Lost;
     };
     const double volume = this->AreaAt(p, at, 2) * this->WidthAt(p, at, 2);
     const double sum =
-      half(this->Edges[2][p]) + (at[2] > 0 ? half(this->Edges[2][p - this->Grid.Columns()]) : 0.0);
+      (at[2] + 1 < this->Grid.Size[2] ? half(p) : 0.0) + (at[2] > 0 ? half(p - above) : 0.0);
     absorbed[p] = static_cast<float>(volume > 0 ? std::max(sum, 0.0) / volume : 0);
   });
   this->Grid.CloseSeams(absorbed);

@@ -16,13 +16,14 @@
 
 namespace nephoscope
 {
-/** Fluence, flux along the axes, flux up plus flux down, and the second moment of the diffuse light: the integral of P2(z), a Legendre polynomial, over directions. */
+/** Fluence, flux along the axes, flux up plus flux down, and the second moment of the diffuse light: the integral of P2(z), a Legendre polynomial, over directions. Tilt: the integrals of x z and y z. */
 struct DiffuseField
 {
   std::vector<float> Fluence;
   std::vector<Vector> Flux;
   std::vector<float> Vertical;
   std::vector<float> SecondMoment;
+  std::vector<std::array<float, 2>> Tilt;
 
   void Clear(std::size_t points);
   float Up(std::size_t p) const { return 0.5f * (this->Vertical[p] + this->Flux[p][2]); }

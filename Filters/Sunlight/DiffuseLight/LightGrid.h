@@ -28,6 +28,7 @@ struct LightGrid
   std::vector<float> Extinction; ///< scaled
   std::vector<float> Albedo;     ///< scaled
   std::vector<float> Asymmetry;  ///< scaled
+  std::vector<float> Second;     ///< scaled: the second Legendre coefficient of the phase function
   std::vector<float> Depth;      ///< scaled, towards the sun
   std::vector<float> Shadow;     ///< what other data let through of the beam; empty: all
   std::vector<float> Sky;        ///< irradiance from the sky, per column

@@ -17,10 +17,10 @@ Real henyeyGreenstein(Real asymmetry, Real cosine)
   return (1 - asymmetry * asymmetry) / (d * std::sqrt(d));
 }
 
-// JosephWiscombeWeinman1976: the share g^2 of the scattered light goes straight on, and is taken as not scattered.
 struct ScaledMedium
 {
-  double Extinction, Albedo, Asymmetry;
+  double Extinction, Albedo;
+  double Asymmetry, Second; ///< Legendre coefficients of its phase function
 };
 
 /** That of a Henyey-Greenstein function, for light of a second moment 1. */
@@ -37,11 +37,24 @@ inline Number secondLegendre(Number x)
   return (3 * x * x - 1) / 2;
 }
 
+/** Without the share `forward` of the scattered light, which goes straight on and is taken as not scattered (Wiscombe1977). */
+inline ScaledMedium scaled(double extinction, double albedo, double asymmetry, double forward)
+{
+  const double rest = 1 - forward;
+  return { (1 - albedo * forward) * extinction, rest * albedo / (1 - albedo * forward),
+    (asymmetry - forward) / rest, (asymmetry * asymmetry - forward) / rest };
+}
+
+/** JosephWiscombeWeinman1976: the share is g^2. */
 inline ScaledMedium scaled(double extinction, double albedo, double asymmetry)
 {
-  const double forward = asymmetry * asymmetry;
-  return { (1 - albedo * forward) * extinction, (1 - forward) * albedo / (1 - albedo * forward),
-    asymmetry / (1 + asymmetry) };
+  return scaled(extinction, albedo, asymmetry, asymmetry * asymmetry);
+}
+
+/** The phase function of two Legendre coefficients, not below 0. */
+inline float phaseOfTwo(float first, float second, float cosine)
+{
+  return std::max(1 + 3 * first * cosine + 5 * second * secondLegendre(cosine), 0.0f);
 }
 
 /**

@@ -17,13 +17,11 @@ from lit import add, light_of, values  # noqa: E402
 
 TABLES = json.loads(monte_carlo.TABLE.read_text())
 MEAN, COLUMN, ENERGY = 0.05, 0.10, 0.02  # demanded of reflectances; of the energy
-# The default angles meet the demand for reflectances, except in the row of cumulus (23 %; with these the time is 3 times as long) and for the step cloud under the lowest sun (10.03 %).
-FINE = {"ZenithAngles": 6, "AzimuthAngles": 8}
-ANGLES = {"cumulus 30": FINE, "cumulus 60 absorbing": FINE, "step 75": {"ZenithAngles": 4}}
-# What is achieved where it is less. No number of levels, columns or angles meets the demand.
-MEANS = {"step 0 absorbing": 0.055}
-# What is achieved in columns of transmittance. The demand, 0.10, is met by two cases; the errors are beside steps and at the edges of shadows.
-THROUGH = {"step 0": 0.26, "step 60": 0.14, "step 60 along": 0.24, "step 75": 0.18, "step 0 absorbing": 0.30, "step 60 absorbing": 0.15, "cumulus 30": 0.70, "cumulus 60 absorbing": 0.27}
+# The default angles meet the demand for reflectances. Those of grids with more points are printed beside them, for the table of README.md.
+COARSE = {"ZenithAngles": 3, "AzimuthAngles": 4}
+ANGLES = {"cumulus 30": COARSE, "cumulus 60 absorbing": COARSE, "step 75": COARSE}
+# What is achieved in columns of transmittance where it is less than the demand: beside steps and at the edges of shadows.
+THROUGH = {"step 0": 0.16, "step 60 along": 0.17, "step 0 absorbing": 0.19, "cumulus 30": 0.50, "cumulus 60 absorbing": 0.18}
 
 
 def columns(case, angles):
@@ -55,11 +53,11 @@ class MonteCarlo(unittest.TestCase):
     def check(self, case):
         table = {kind: np.array(told) for kind, told in TABLES[case].items()}
         self.assertLess(table["error"], 0.005)
-        for angles in [{}, ANGLES[case]] if case in ANGLES else [{}]:
+        for angles in [ANGLES[case], {}] if case in ANGLES else [{}]:
             up, down, absorbed = self.tell(case, table, angles)
         error, through = up / table["reflectance"] - 1, down / table["transmittance"] - 1
         mean, energy = up.mean() / table["reflectance"].mean() - 1, up.mean() + down.mean() + absorbed.mean()
-        self.assertLess(abs(mean), MEANS.get(case, MEAN))
+        self.assertLess(abs(mean), MEAN)
         self.assertLess(np.abs(error).max(), COLUMN)
         self.assertLess(abs(energy - 1), ENERGY)
         self.assertLess(np.abs(through).max(), THROUGH.get(case, COLUMN))

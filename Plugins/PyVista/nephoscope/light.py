@@ -44,7 +44,7 @@ FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *, time: str | datetime = "", place: Numbers | None = None, up: Numbers | str = "z",
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
              extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, periodic: bool = False, multiple_scattering: bool = True,
-             zenith_angles: int = 3, azimuth_angles: int = 4, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
+             zenith_angles: int | None = None, azimuth_angles: int | None = None, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
              phase_function: str = "henyey-greenstein", clouds: pyvista.DataSet | None = None) -> Mesh:
     """Add the light of sun and sky to a mesh with an extinction: shadows, dark bases and multiple scattering.
 
@@ -81,9 +81,9 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
         points. False: no shadows come from beyond the sides, which are mirrors for diffuse light.
     multiple_scattering : bool, default: True
         Includes light that is scattered more than once.
-    zenith_angles, azimuth_angles : int
+    zenith_angles, azimuth_angles : int, optional
         Number of directions of the diffuse light: zenith angles in each hemisphere (1 to 16), azimuth angles (4 to 64; twice as many at
-        zenith angles with larger solid angles).
+        zenith angles with larger solid angles). Default: 6 and 8 for grids of up to 20,000 points, 4 and 6 up to 120,000, else 3 and 4.
     eye : sequence of 3 float or "camera", optional
         Position of the eye for which ``Sunlight`` is computed. ``"camera"``: the light of the sun's beam is kept in a separate array, and `add_cells` draws the light
         scattered towards the camera of each frame. Default: the mean over all directions.
@@ -147,7 +147,7 @@ def _warn_of_wide_map(mesh: pyvista.DataSet, say: Callable[[str], str]) -> None:
 
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, up: Numbers | str, extinction: str,
              albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, periodic: bool, multiple_scattering: bool,
-             zenith_angles: int, azimuth_angles: int, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
+             zenith_angles: int | None, azimuth_angles: int | None, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
     _require_sun(direction, time, say)
     mesh = one_mesh(mesh)
@@ -176,8 +176,8 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     light.SetSkyLight(require_number(sky_light, say("sky_light"), least=0, most=10))
     light.SetPeriodicSides(bool(periodic))
     light.SetMultipleScattering(bool(multiple_scattering))
-    light.SetZenithAngles(int(require_number(zenith_angles, say("zenith_angles"), least=1, most=16)))
-    light.SetAzimuthAngles(int(require_number(azimuth_angles, say("azimuth_angles"), least=4, most=64)))
+    light.SetZenithAngles(0 if zenith_angles is None else int(require_number(zenith_angles, say("zenith_angles"), least=1, most=16)))
+    light.SetAzimuthAngles(0 if azimuth_angles is None else int(require_number(azimuth_angles, say("azimuth_angles"), least=4, most=64)))
     choose({"henyey-greenstein": light.SetPhaseFunctionToHenyeyGreenstein, "double-henyey-greenstein": light.SetPhaseFunctionToDoubleHenyeyGreenstein,
             "droplets": light.SetPhaseFunctionToCloudDroplets}, phase_function, say("phase_function"))
     if isinstance(eye, str):
