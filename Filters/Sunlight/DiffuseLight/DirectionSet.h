@@ -22,7 +22,7 @@ struct AngleCounts
   int Zenith, Azimuth; // 0: automatic
 };
 
-// Small grids get more directions: up to 120,000 points the light takes about 2 s of processor time.
+// Small grids get more directions: up to 120,000 points the light takes about 1 s of processor time.
 inline AngleCounts anglesFor(AngleCounts asked, std::size_t points)
 {
   const AngleCounts automatic = points <= 20000 ? AngleCounts{ 6, 8 }

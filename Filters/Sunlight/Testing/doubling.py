@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """
 The exact light that a level slab of cloud reflects, by doubling of thin layers (Hansen1971) for each Fourier term of the azimuth. Black ground, no light
-of the sky, no absorption, Henyey-Greenstein phase function.
+of the sky, Henyey-Greenstein phase function.
 """
 import numpy as np
 
@@ -18,7 +18,7 @@ def legendre(order, cosines, terms):
     return table
 
 
-def reflected(depth, asymmetry, sun, views, streams=16, orders=24, terms=120):
+def reflected(depth, asymmetry, sun, views, albedo=1, streams=16, orders=24, terms=120):
     """
     pi times the radiance, divided by the irradiance of the sun. `sun`: cosine of its zenith angle. `views`: pairs of the cosine of the zenith angle of the outgoing light
     and its azimuth, relative to the direction in which sunlight travels.
@@ -39,7 +39,7 @@ def reflected(depth, asymmetry, sun, views, streams=16, orders=24, terms=120):
         direct = np.exp(-thin / cosines)
         back, through = backward * thin / (2 * cosines[:, None]), forward * thin / (2 * cosines[:, None])
         if order == 0:  # accounts for light scattered twice in the thin layer
-            kept = cosines * (1 - direct) / ((weights * cosines) @ (back + through))
+            kept = albedo * cosines * (1 - direct) / ((weights * cosines) @ (back + through))
         back, through = back * kept, through * kept
         for _ in range(halves):
             echo = back * weights
@@ -50,3 +50,10 @@ def reflected(depth, asymmetry, sun, views, streams=16, orders=24, terms=120):
         azimuths = np.array([view[1] for view in views])
         light += 0.5 * (1 if order == 0 else 2) * np.cos(order * azimuths) * back[streams + 1:, streams]
     return light
+
+
+def reflected_fraction(depth, asymmetry, sun, albedo=1, streams=24):
+    """The light that goes up from the slab, as a fraction of sunlight."""
+    nodes, weights = np.polynomial.legendre.leggauss(streams)
+    cosines = 0.5 * (nodes + 1)
+    return reflected(depth, asymmetry, sun, [(cosine, 0) for cosine in cosines], albedo, streams, orders=1) @ (weights * cosines) / sun
