@@ -47,7 +47,7 @@ constexpr CellCorner pyramidCorners[] = { { 0, 1, 3, 4 }, { 1, 2, 0, 4 }, { 2, 3
   { 3, 0, 2, 4 } };
 
 /** None for cells that cannot fold, or of which this is not known. */
-inline CellCorners cellCorners(int cellType)
+inline CellCorners CellCornersOf(int cellType)
 {
   switch (cellType)
   {
@@ -77,7 +77,7 @@ struct CornerJacobians
 
 /** `at(vertex)` is the place of a vertex of the cell. */
 template <typename At>
-CornerJacobians cornerJacobians(const CellCorners& corners, At at)
+CornerJacobians FindCornerJacobians(const CellCorners& corners, At at)
 {
   std::array<double, 8> jacobians;
   double sum = 0;
@@ -88,7 +88,7 @@ CornerJacobians cornerJacobians(const CellCorners& corners, At at)
     constexpr Vector3 none{};
     const Vector3& x = at((*corner)[0]);
     const Vector3 a = at((*corner)[1]) - x, b = at((*corner)[2]) - x, c = at((*corner)[3]) - x;
-    const double jacobian = tripleProduct(a, b, c);
+    const double jacobian = TripleProduct(a, b, c);
     collapsed +=
       jacobian == 0 && (a == none || b == none || c == none || a == b || b == c || c == a);
     jacobians[result.Corners++] = jacobian;
@@ -107,7 +107,7 @@ CornerJacobians cornerJacobians(const CellCorners& corners, At at)
 
 /** Sum of the squares of the lengths of all edges, each from both its ends. */
 template <typename At>
-double edgeSquares(const CellCorners& corners, At at)
+double EdgeSquares(const CellCorners& corners, At at)
 {
   double sum = 0;
   for (const CellCorner* corner = corners.Begin; corner != corners.End; ++corner)
@@ -115,7 +115,7 @@ double edgeSquares(const CellCorners& corners, At at)
     for (std::size_t k = 1; k < 4; ++k)
     {
       const Vector3 edge = at((*corner)[k]) - at((*corner)[0]);
-      sum += dot(edge, edge);
+      sum += Dot(edge, edge);
     }
   }
   return sum;
@@ -123,7 +123,7 @@ double edgeSquares(const CellCorners& corners, At at)
 
 /** Whether one end of a hexahedron is turned by half a round, so that the edges between the ends meet in the middle. */
 template <typename At>
-bool isTwisted(const CellCorners& corners, double largestJacobian, At at)
+bool IsTwisted(const CellCorners& corners, double largestJacobian, At at)
 {
   if (corners.End - corners.Begin < 8)
   {
@@ -141,17 +141,17 @@ bool isTwisted(const CellCorners& corners, double largestJacobian, At at)
       edges[k % 2] = k < 2 ? edges[k % 2] + edge : edges[k % 2] - edge;
     }
   }
-  const double middle = std::abs(tripleProduct(edges[0], edges[1], edges[2])) / 64;
+  const double middle = std::abs(TripleProduct(edges[0], edges[1], edges[2])) / 64;
   return largestJacobian > 0 && middle <= CornerJacobians::Rounding * largestJacobian;
 }
 
 /** The corners are alike by far, so that rounding can not make the cell fold. */
 template <typename At>
-bool isWellShaped(const CellCorners& corners, At at)
+bool IsWellShaped(const CellCorners& corners, At at)
 {
   constexpr double wellShaped = 0.1;
-  const CornerJacobians jacobians = cornerJacobians(corners, at);
-  return jacobians.Least > wellShaped && !isTwisted(corners, jacobians.Largest, at);
+  const CornerJacobians jacobians = FindCornerJacobians(corners, at);
+  return jacobians.Least > wellShaped && !IsTwisted(corners, jacobians.Largest, at);
 }
 
 /** Other orders of the points of a cell: which number takes the place of each. The first leaves them. */
@@ -210,25 +210,25 @@ private:
  * best[i] is the number of the point that takes the place of point i.
  */
 template <typename At>
-CellShape findCellShape(int cellType, At at, PointOrders::Order& best)
+CellShape FindCellShape(int cellType, At at, PointOrders::Order& best)
 {
-  const CellCorners corners = cellCorners(cellType);
+  const CellCorners corners = CellCornersOf(cellType);
   if (corners.Begin == corners.End)
   {
     return CellShape::Whole;
   }
-  const CornerJacobians own = cornerJacobians(corners, at);
-  const bool folds = own.Least < -CornerJacobians::Rounding || isTwisted(corners, own.Largest, at);
+  const CornerJacobians own = FindCornerJacobians(corners, at);
+  const bool folds = own.Least < -CornerJacobians::Rounding || IsTwisted(corners, own.Largest, at);
   if (!folds && 3 * own.Flat < own.Corners) // two points exchanged make many of them flat
   {
     return CellShape::Whole;
   }
-  double shortest = 0.99 * edgeSquares(corners, at);
+  double shortest = 0.99 * EdgeSquares(corners, at);
   bool found = false;
   PointOrders::ForEach(cellType, [&](const PointOrders::Order& order) {
     const auto there = [&](int vertex) -> const Vector3& { return at(order[std::size_t(vertex)]); };
-    const double squares = edgeSquares(corners, there);
-    if (squares < 0.999 * shortest && isWellShaped(corners, there))
+    const double squares = EdgeSquares(corners, there);
+    if (squares < 0.999 * shortest && IsWellShaped(corners, there))
     {
       shortest = squares;
       best = order;

@@ -41,7 +41,7 @@ constexpr int hexagonalPrismFaceList[] = { 6, 0, 5, 4, 3, 2, 1, 6, 6, 7, 8, 9, 1
   6, 4, 1, 2, 8, 7, 4, 2, 3, 9, 8, 4, 3, 4, 10, 9, 4, 4, 5, 11, 10, 4, 5, 0, 6, 11 };
 
 template <std::size_t N>
-constexpr FaceList<int> makeFaceList(const int (&faces)[N])
+constexpr FaceList<int> MakeFaceList(const int (&faces)[N])
 {
   return { faces, faces + N };
 }
@@ -50,7 +50,7 @@ constexpr FaceList<int> makeFaceList(const int (&faces)[N])
  * Calls emit({a, b, c, d}) for each tetrahedron of a convex cell. `less` orders the vertices that `faces` names.
  */
 template <typename Index, typename Less, typename Emit>
-void decomposeCell(FaceList<Index> faces, Less less, Emit emit)
+void DecomposeCell(FaceList<Index> faces, Less less, Emit emit)
 {
   if (faces.Begin == faces.End)
   {

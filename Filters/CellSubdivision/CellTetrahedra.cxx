@@ -127,7 +127,7 @@ double CellTetrahedra::ShortestDistance() const
 double CellTetrahedra::Volume(
   const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  return tripleProduct(b - a, c - a, d - a);
+  return TripleProduct(b - a, c - a, d - a);
 }
 
 bool CellTetrahedra::Divide()
@@ -149,7 +149,7 @@ bool CellTetrahedra::Divide()
 void CellTetrahedra::ReadFaces()
 {
   this->FaceStream.clear();
-  const FaceList<int> faces = linearCellFaces(this->CellType);
+  const FaceList<int> faces = LinearCellFaces(this->CellType);
   if (faces.Begin)
   {
     this->FaceStream.assign(faces.Begin, faces.End);
@@ -318,8 +318,8 @@ bool CellTetrahedra::HasFlatTriangle(const int* begin, const int* end) const
     const Vector3& x = this->Places[a];
     const Vector3 u = this->Places[b] - x;
     const Vector3 v = this->Places[c] - x;
-    const Vector3 n = cross(u, v);
-    flat = flat || !(dot(n, n) > flatAngle * flatAngle * dot(u, u) * dot(v, v));
+    const Vector3 n = Cross(u, v);
+    flat = flat || !(Dot(n, n) > flatAngle * flatAngle * Dot(u, u) * Dot(v, v));
   });
   return flat;
 }
@@ -365,7 +365,7 @@ bool CellTetrahedra::DivideLinear()
 bool CellTetrahedra::DivideByVTK()
 {
   this->Data->GetCell(this->Cell, this->AnyCell);
-  if (!triangulateCell(this->AnyCell, this->Stream, this->TrianglePoints))
+  if (!TriangulateCell(this->AnyCell, this->Stream, this->TrianglePoints))
   {
     return false;
   }

@@ -19,25 +19,25 @@ namespace nephoscope
 {
 namespace
 {
-std::size_t index(vtkIdType number)
+std::size_t Index(vtkIdType number)
 {
   return static_cast<std::size_t>(number);
 }
 
 // Odd vertices of a hexahedron or voxel whose first vertex is even.
-std::array<int, 8> oddVertices(int cellType)
+std::array<int, 8> OddVertices(int cellType)
 {
-  const std::array<int, 8> vertices = hexahedronForm(cellType).Vertices;
+  const std::array<int, 8> vertices = HexahedronFormOf(cellType).Vertices;
   std::array<int, 8> odd{};
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
-    odd[index(vertices[corner])] = static_cast<int>((corner ^ corner >> 1 ^ corner >> 2) & 1);
+    odd[Index(vertices[corner])] = static_cast<int>((corner ^ corner >> 1 ^ corner >> 2) & 1);
   }
   return odd;
 }
 }
 
-ChessboardGrid findChessboardGrid(vtkDataSet* data)
+ChessboardGrid FindChessboardGrid(vtkDataSet* data)
 {
   int extent[6];
   if (auto* image = vtkImageData::SafeDownCast(data))
@@ -76,17 +76,17 @@ std::pair<std::int32_t, int> ColoredParts::Find(std::int32_t part)
 {
   std::int32_t whole = part;
   int odd = 0;
-  while (this->Parents[index(whole)] != whole)
+  while (this->Parents[Index(whole)] != whole)
   {
-    odd ^= this->Odd[index(whole)];
-    whole = this->Parents[index(whole)];
+    odd ^= this->Odd[Index(whole)];
+    whole = this->Parents[Index(whole)];
   }
   for (int left = odd; part != whole;) // the next time the way is short
   {
-    const std::int32_t next = this->Parents[index(part)];
-    const int own = this->Odd[index(part)];
-    this->Parents[index(part)] = whole;
-    this->Odd[index(part)] = static_cast<unsigned char>(left);
+    const std::int32_t next = this->Parents[Index(part)];
+    const int own = this->Odd[Index(part)];
+    this->Parents[Index(part)] = whole;
+    this->Odd[Index(part)] = static_cast<unsigned char>(left);
     left ^= own;
     part = next;
   }
@@ -101,14 +101,14 @@ bool ColoredParts::Join(std::int32_t a, std::int32_t b, int odd)
   {
     return between == 0;
   }
-  this->Parents[index(second.first)] = first.first;
-  this->Odd[index(second.first)] = static_cast<unsigned char>(between);
+  this->Parents[Index(second.first)] = first.first;
+  this->Odd[Index(second.first)] = static_cast<unsigned char>(between);
   return true;
 }
 
 ChessboardColors::ChessboardColors(vtkUnstructuredGrid* grid)
   : Grid(grid)
-  , PartOf(index(grid->GetNumberOfPoints()), -1)
+  , PartOf(Index(grid->GetNumberOfPoints()), -1)
   , Odd(PartOf.size(), 0)
 {
 }
@@ -141,18 +141,18 @@ bool ChessboardColors::Add(vtkIdType cell)
   {
     return false;
   }
-  const std::array<int, 8> odd = oddVertices(type);
+  const std::array<int, 8> odd = OddVertices(type);
   vtkIdType size;
   const vtkIdType* points;
   this->Grid->GetCellPoints(cell, size, points);
   const vtkIdType* known = std::find_if(
-    points, points + 8, [this](vtkIdType point) { return this->PartOf[index(point)] >= 0; });
+    points, points + 8, [this](vtkIdType point) { return this->PartOf[Index(point)] >= 0; });
   const bool isNew = known == points + 8;
-  const std::int32_t part = isNew ? this->Parts.Add() : this->PartOf[index(*known)];
-  const int base = isNew ? 0 : this->Odd[index(*known)] ^ odd[index(known - points)];
+  const std::int32_t part = isNew ? this->Parts.Add() : this->PartOf[Index(*known)];
+  const int base = isNew ? 0 : this->Odd[Index(*known)] ^ odd[Index(known - points)];
   for (std::size_t i = 0; i < 8; ++i)
   {
-    const std::size_t point = index(points[i]);
+    const std::size_t point = Index(points[i]);
     const int color = base ^ odd[i];
     if (this->PartOf[point] < 0)
     {
@@ -203,7 +203,7 @@ void ChessboardColors::NumberWholes()
     if (this->PartOf[point] >= 0)
     {
       const auto whole = this->Parts.Find(this->PartOf[point]);
-      std::int32_t& number = this->Wholes[index(whole.first)];
+      std::int32_t& number = this->Wholes[Index(whole.first)];
       if (number < 0)
       {
         number = static_cast<std::int32_t>(this->FirstIsOdd.size());
@@ -215,14 +215,14 @@ void ChessboardColors::NumberWholes()
 
 std::pair<std::int32_t, int> ChessboardColors::ColorOf(vtkIdType point)
 {
-  const std::int32_t part = this->PartOf[index(point)];
+  const std::int32_t part = this->PartOf[Index(point)];
   if (part < 0)
   {
     return { -1, 0 };
   }
   const auto whole = this->Parts.Find(part);
-  const std::int32_t number = this->Wholes[index(whole.first)];
-  return { number, whole.second ^ this->Odd[index(point)] ^ this->FirstIsOdd[index(number)] };
+  const std::int32_t number = this->Wholes[Index(whole.first)];
+  return { number, whole.second ^ this->Odd[Index(point)] ^ this->FirstIsOdd[Index(number)] };
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> ChessboardColors::MakeDivisions(
@@ -240,14 +240,14 @@ vtkSmartPointer<vtkUnsignedCharArray> ChessboardColors::MakeDivisions(
       const vtkIdType* points;
       this->Grid->GetCellPoints(cell, size, points);
       const auto color = this->ColorOf(points[0]);
-      division = static_cast<unsigned char>(3 + (color.second ^ odd[index(color.first)]));
+      division = static_cast<unsigned char>(3 + (color.second ^ odd[Index(color.first)]));
     }
     divisions->SetValue(cell, division);
   }
   return divisions;
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> chessboardDivision(vtkDataSet* data)
+vtkSmartPointer<vtkUnsignedCharArray> ChessboardDivision(vtkDataSet* data)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   if (!grid || grid->GetNumberOfCells() == 0 || grid->GetCellData()->HasArray(divisionName))

@@ -32,7 +32,7 @@ namespace nephoscope
 constexpr const char* divisionName = "NephoscopeDivision";
 
 /** The grid of structured data with cells in three dimensions; empty for all other data. Its seam counts as open. */
-VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ChessboardGrid findChessboardGrid(vtkDataSet* data);
+VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ChessboardGrid FindChessboardGrid(vtkDataSet* data);
 
 /** Parts that belong together: what is even in one is even or odd in the whole. */
 class VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ColoredParts
@@ -83,7 +83,7 @@ private:
  * least number of each connected part is even; parts that touch at coincident points agree there if they can. Null for data that
  * are not unstructured, have the array already, have other cells than hexahedra and voxels, or cannot be coloured.
  */
-VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT vtkSmartPointer<vtkUnsignedCharArray> chessboardDivision(
+VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT vtkSmartPointer<vtkUnsignedCharArray> ChessboardDivision(
   vtkDataSet* data);
 
 } // namespace nephoscope

@@ -85,18 +85,18 @@ private:
 };
 
 /** Lowest and highest layer of what spans the codes from `least` to `largest`; lowest > highest if all of it is on one value. */
-constexpr int lowestLayer(int least)
+constexpr int LowestLayer(int least)
 {
   return (least + 1) / 2;
 }
-constexpr int highestLayer(int largest)
+constexpr int HighestLayer(int largest)
 {
   return largest / 2;
 }
 /** A value lies strictly between the codes. */
-constexpr bool isCrossed(int least, int largest)
+constexpr bool IsCrossed(int least, int largest)
 {
-  return lowestLayer(least) < highestLayer(largest);
+  return LowestLayer(least) < HighestLayer(largest);
 }
 
 } // namespace nephoscope

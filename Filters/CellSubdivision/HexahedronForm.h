@@ -17,7 +17,7 @@ struct HexahedronForm
   std::array<int, 8> Vertices;
 };
 
-inline HexahedronForm hexahedronForm(int cellType)
+inline HexahedronForm HexahedronFormOf(int cellType)
 {
   switch (cellType)
   {

@@ -3,9 +3,9 @@
 /**
  * Higher-order cells as linear cells between their points, for the kinds whose neighbours do not agree on the diagonals of common
  * faces when VTK divides them: quadratic pyramids, and Lagrange and Bezier hexahedra and wedges; and for those that VTK 9.2 does not divide
- * into tetrahedra at all: its Triangulate gives nothing, or wedges, for the four kinds of splitQuadraticSolid.
+ * into tetrahedra at all: its Triangulate gives nothing, or wedges, for the four kinds of SplitQuadraticSolid.
  *
- * Each linear cell goes through decomposeCell, so that faces are cut by the same rule from both sides.
+ * Each linear cell goes through DecomposeCell, so that faces are cut by the same rule from both sides.
  */
 #ifndef nephoscope_HigherOrderCells_h
 #define nephoscope_HigherOrderCells_h
@@ -32,23 +32,23 @@ constexpr int pyramidCoreFaceList[] = { 4, 0, 1, 2, 3, 4, 4, 5, 6, 7, 3, 0, 4, 5
 
 /** Calls emit(faces, points): a linear cell, and its points as the numbers that they have in the quadratic pyramid. */
 template <typename Emit>
-void splitQuadraticPyramid(Emit emit)
+void SplitQuadraticPyramid(Emit emit)
 {
-  const FaceList<int> tetrahedron = makeFaceList(tetrahedronFaceList);
+  const FaceList<int> tetrahedron = MakeFaceList(tetrahedronFaceList);
   const int corners[4][4] = { { 0, 5, 8, 9 }, { 1, 6, 5, 10 }, { 2, 7, 6, 11 }, { 3, 8, 7, 12 } };
   for (const auto& corner : corners)
   {
     emit(tetrahedron, corner);
   }
   const int top[] = { 9, 10, 11, 12, 4 };
-  emit(makeFaceList(pyramidFaceList), top);
+  emit(MakeFaceList(pyramidFaceList), top);
   const int core[] = { 5, 6, 7, 8, 9, 10, 11, 12 };
-  emit(makeFaceList(pyramidCoreFaceList), core);
+  emit(MakeFaceList(pyramidCoreFaceList), core);
 }
 
 /** Eight hexahedra between the 27 points of a triquadratic one. */
 template <typename Emit>
-void splitTriquadraticHexahedron(Emit emit)
+void SplitTriquadraticHexahedron(Emit emit)
 {
   constexpr int lattice[3][3][3] = { { { 0, 8, 1 }, { 11, 24, 9 }, { 3, 10, 2 } },
     { { 16, 22, 17 }, { 20, 26, 21 }, { 19, 23, 18 } },
@@ -59,13 +59,13 @@ void splitTriquadraticHexahedron(Emit emit)
     auto at = [&](int a, int b, int c) { return lattice[k + c][j + b][i + a]; };
     const int points[] = { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
       at(1, 0, 1), at(1, 1, 1), at(0, 1, 1) };
-    emit(makeFaceList(hexahedronFaceList), points);
+    emit(MakeFaceList(hexahedronFaceList), points);
   }
 }
 
 /** A hexahedron with points in the middle of its edges and of four faces: in each half a wedge at every corner, and a hexahedron between them. */
 template <typename Emit>
-void splitBiquadraticHexahedron(Emit emit)
+void SplitBiquadraticHexahedron(Emit emit)
 {
   constexpr int corners[3][4] = { { 0, 1, 2, 3 }, { 16, 17, 18, 19 }, { 4, 5, 6, 7 } };
   constexpr int middles[3][4] = { { 8, 9, 10, 11 }, { 22, 21, 23, 20 }, { 12, 13, 14, 15 } };
@@ -78,15 +78,15 @@ void splitBiquadraticHexahedron(Emit emit)
       const int before = (c + 3) % 4;
       const int wedge[] = { corners[half][c], low[c], low[before], corners[half + 1][c], high[c],
         high[before] };
-      emit(makeFaceList(wedgeFaceList), wedge);
+      emit(MakeFaceList(wedgeFaceList), wedge);
     }
     const int core[] = { low[0], low[1], low[2], low[3], high[0], high[1], high[2], high[3] };
-    emit(makeFaceList(hexahedronFaceList), core);
+    emit(MakeFaceList(hexahedronFaceList), core);
   }
 }
 
 template <typename Emit>
-void splitQuadraticWedge(bool linearUpwards, Emit emit)
+void SplitQuadraticWedge(bool linearUpwards, Emit emit)
 {
   constexpr int linear[4][6] = { { 0, 6, 8, 3, 9, 11 }, { 6, 7, 8, 9, 10, 11 },
     { 6, 1, 7, 9, 4, 10 }, { 8, 7, 2, 11, 10, 5 } };
@@ -95,32 +95,32 @@ void splitQuadraticWedge(bool linearUpwards, Emit emit)
     { 15, 16, 17, 9, 10, 11 }, { 15, 13, 16, 9, 4, 10 }, { 17, 16, 14, 11, 10, 5 } };
   for (int part = 0; part < (linearUpwards ? 4 : 8); ++part)
   {
-    emit(makeFaceList(wedgeFaceList), linearUpwards ? linear[part] : quadratic[part]);
+    emit(MakeFaceList(wedgeFaceList), linearUpwards ? linear[part] : quadratic[part]);
   }
 }
 
 /** Divides the cells that VTK does not divide into tetrahedra; false for all other cells. */
 template <typename Emit>
-bool splitQuadraticSolid(int cellType, Emit emit)
+bool SplitQuadraticSolid(int cellType, Emit emit)
 {
   switch (cellType)
   {
     case VTK_TRIQUADRATIC_HEXAHEDRON:
-      splitTriquadraticHexahedron(emit);
+      SplitTriquadraticHexahedron(emit);
       return true;
     case VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON:
-      splitBiquadraticHexahedron(emit);
+      SplitBiquadraticHexahedron(emit);
       return true;
     case VTK_QUADRATIC_LINEAR_WEDGE:
     case VTK_BIQUADRATIC_QUADRATIC_WEDGE:
-      splitQuadraticWedge(cellType == VTK_QUADRATIC_LINEAR_WEDGE, emit);
+      SplitQuadraticWedge(cellType == VTK_QUADRATIC_LINEAR_WEDGE, emit);
       return true;
     default:
       return false;
   }
 }
 
-inline void scalePoints(vtkPoints* points, double factor)
+inline void ScalePoints(vtkPoints* points, double factor)
 {
   for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
   {
@@ -133,7 +133,7 @@ inline void scalePoints(vtkPoints* points, double factor)
 
 // VTK solves systems for the triangulation of a polyhedron, and takes them for singular where edges are shorter than about 1e-10. Small cells are
 // made larger for it by a power of two, which changes no digit.
-inline bool triangulateByVTK(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
+inline bool TriangulateByVTK(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
 {
   constexpr double small = 1e-3;
   double bounds[6];
@@ -146,19 +146,19 @@ inline bool triangulateByVTK(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
   {
     return cell->Triangulate(0, ids, points) != 0;
   }
-  scalePoints(cell->GetPoints(), factor);
+  ScalePoints(cell->GetPoints(), factor);
   const bool divided = cell->Triangulate(0, ids, points) != 0;
-  scalePoints(cell->GetPoints(), 1 / factor);
-  scalePoints(points, 1 / factor);
+  ScalePoints(cell->GetPoints(), 1 / factor);
+  ScalePoints(points, 1 / factor);
   return divided;
 }
 
 /** vtkCell::Triangulate, for cells of all kinds. */
-inline bool triangulateCell(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
+inline bool TriangulateCell(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
 {
   vtkIdList* own = cell->GetPointIds();
   auto part = [&](FaceList<int> faces, const int* vertices) {
-    decomposeCell(
+    DecomposeCell(
       faces, [&](int a, int b) { return own->GetId(vertices[a]) < own->GetId(vertices[b]); },
       [&](const std::array<int, 4>& tetrahedron) {
         for (int vertex : tetrahedron)
@@ -170,11 +170,11 @@ inline bool triangulateCell(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
   };
   ids->Reset();
   points->Reset();
-  return splitQuadraticSolid(cell->GetCellType(), part) || triangulateByVTK(cell, ids, points);
+  return SplitQuadraticSolid(cell->GetCellType(), part) || TriangulateByVTK(cell, ids, points);
 }
 
 template <typename Emit>
-void splitHexahedron(vtkHigherOrderHexahedron* cell, Emit emit)
+void SplitHexahedron(vtkHigherOrderHexahedron* cell, Emit emit)
 {
   const int* order = cell->GetOrder();
   for (int k = 0; k < order[2]; ++k)
@@ -186,14 +186,14 @@ void splitHexahedron(vtkHigherOrderHexahedron* cell, Emit emit)
         auto at = [&](int a, int b, int c) { return cell->PointIndexFromIJK(i + a, j + b, k + c); };
         const int points[] = { at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(0, 0, 1),
           at(1, 0, 1), at(1, 1, 1), at(0, 1, 1) };
-        emit(makeFaceList(hexahedronFaceList), points);
+        emit(MakeFaceList(hexahedronFaceList), points);
       }
     }
   }
 }
 
 template <typename Emit>
-void splitWedge(vtkHigherOrderWedge* cell, Emit emit)
+void SplitWedge(vtkHigherOrderWedge* cell, Emit emit)
 {
   const int* order = cell->GetOrder();
   for (int k = 0; k < order[2]; ++k)
@@ -205,12 +205,12 @@ void splitWedge(vtkHigherOrderWedge* cell, Emit emit)
         auto at = [&](int a, int b, int c) { return cell->PointIndexFromIJK(i + a, j + b, k + c); };
         const int upright[] = { at(0, 0, 0), at(1, 0, 0), at(0, 1, 0), at(0, 0, 1), at(1, 0, 1),
           at(0, 1, 1) };
-        emit(makeFaceList(wedgeFaceList), upright);
+        emit(MakeFaceList(wedgeFaceList), upright);
         if (i + j + 1 < order[0])
         {
           const int turned[] = { at(1, 0, 0), at(1, 1, 0), at(0, 1, 0), at(1, 0, 1), at(1, 1, 1),
             at(0, 1, 1) };
-          emit(makeFaceList(wedgeFaceList), turned);
+          emit(MakeFaceList(wedgeFaceList), turned);
         }
       }
     }
@@ -219,26 +219,26 @@ void splitWedge(vtkHigherOrderWedge* cell, Emit emit)
 
 /** False for all other cells. */
 template <typename Emit>
-bool splitHigherOrderCell(vtkCell* cell, Emit emit)
+bool SplitHigherOrderCell(vtkCell* cell, Emit emit)
 {
   if (cell->GetCellType() == VTK_QUADRATIC_PYRAMID)
   {
-    splitQuadraticPyramid(emit);
+    SplitQuadraticPyramid(emit);
     return true;
   }
-  if (splitQuadraticSolid(cell->GetCellType(), emit))
+  if (SplitQuadraticSolid(cell->GetCellType(), emit))
   {
     return true;
   }
   if (auto* hexahedron = vtkHigherOrderHexahedron::SafeDownCast(cell))
   {
-    splitHexahedron(hexahedron, emit);
+    SplitHexahedron(hexahedron, emit);
     return true;
   }
   auto* wedge = vtkHigherOrderWedge::SafeDownCast(cell);
   if (wedge && wedge->GetNumberOfPoints() != 21) // a special wedge, which has no lattice
   {
-    splitWedge(wedge, emit);
+    SplitWedge(wedge, emit);
     return true;
   }
   return false;

@@ -12,24 +12,24 @@ namespace nephoscope
 {
 
 /** Faces of VTK's linear 3-D cells; empty for all others. */
-inline FaceList<int> linearCellFaces(int cellType)
+inline FaceList<int> LinearCellFaces(int cellType)
 {
   switch (cellType)
   {
     case VTK_TETRA:
-      return makeFaceList(tetrahedronFaceList);
+      return MakeFaceList(tetrahedronFaceList);
     case VTK_HEXAHEDRON:
-      return makeFaceList(hexahedronFaceList);
+      return MakeFaceList(hexahedronFaceList);
     case VTK_VOXEL:
-      return makeFaceList(voxelFaceList);
+      return MakeFaceList(voxelFaceList);
     case VTK_WEDGE:
-      return makeFaceList(wedgeFaceList);
+      return MakeFaceList(wedgeFaceList);
     case VTK_PYRAMID:
-      return makeFaceList(pyramidFaceList);
+      return MakeFaceList(pyramidFaceList);
     case VTK_PENTAGONAL_PRISM:
-      return makeFaceList(pentagonalPrismFaceList);
+      return MakeFaceList(pentagonalPrismFaceList);
     case VTK_HEXAGONAL_PRISM:
-      return makeFaceList(hexagonalPrismFaceList);
+      return MakeFaceList(hexagonalPrismFaceList);
     default:
       return { nullptr, nullptr };
   }

@@ -32,7 +32,7 @@ namespace nephoscope
 constexpr double planeTolerance = 1e-6; ///< of the cell's size
 
 /** Lengths below this are rounding. `isFloat`: the coordinates were stored in 32 bits. */
-inline double slackOf(const PolyhedronSurface& surface, bool isFloat)
+inline double SlackOf(const PolyhedronSurface& surface, bool isFloat)
 {
   const double step = isFloat ? double(std::numeric_limits<float>::epsilon())
                               : std::numeric_limits<double>::epsilon();
@@ -43,15 +43,15 @@ inline double slackOf(const PolyhedronSurface& surface, bool isFloat)
  * Question 2: no tetrahedron of the division is inverted by more than `slack` times the square of the cell's size, which is
  * the volume that a face as large as the cell sweeps when it moves by `slack`.
  */
-inline bool coneFillsCell(const PolyhedronSurface& surface, double slack)
+inline bool ConeFillsCell(const PolyhedronSurface& surface, double slack)
 {
   const double lowest = -slack * surface.Size() * surface.Size();
   bool fills = true;
-  decomposeCell(
+  DecomposeCell(
     surface.Faces(), [](int a, int b) { return a < b; },
     [&](const std::array<int, 4>& t) {
       fills = fills &&
-        sixVolumes(surface.Position(t[0]), surface.Position(t[1]), surface.Position(t[2]),
+        SixVolumes(surface.Position(t[0]), surface.Position(t[1]), surface.Position(t[2]),
           surface.Position(t[3])) >= lowest;
     });
   return fills;
@@ -62,25 +62,25 @@ struct MeanPlane
 {
   Vector3 Normal;
   Vector3 Middle;
-  double Height(const Vector3& x) const { return dot(this->Normal, difference(x, this->Middle)); }
+  double Height(const Vector3& x) const { return Dot(this->Normal, Difference(x, this->Middle)); }
 };
 
-inline MeanPlane meanPlane(const PolyhedronSurface& surface, const int* face)
+inline MeanPlane MeanPlaneOf(const PolyhedronSurface& surface, const int* face)
 {
   MeanPlane plane{ { { 0, 0, 0 } }, { { 0, 0, 0 } } };
   const Vector3& origin = surface.Position(face[1]);
   for (int k = 1; k <= *face; ++k)
   {
-    const Vector3 a = difference(surface.Position(face[k]), origin);
-    const Vector3 b = difference(surface.Position(face[k % *face + 1]), origin);
-    const Vector3 twice = cross(a, b);
+    const Vector3 a = Difference(surface.Position(face[k]), origin);
+    const Vector3 b = Difference(surface.Position(face[k % *face + 1]), origin);
+    const Vector3 twice = Cross(a, b);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       plane.Normal[axis] += twice[axis];
       plane.Middle[axis] += a[axis] / *face;
     }
   }
-  const double length = std::sqrt(dot(plane.Normal, plane.Normal));
+  const double length = std::sqrt(Dot(plane.Normal, plane.Normal));
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     plane.Normal[axis] /= length > 0 ? length : 1;
@@ -90,9 +90,9 @@ inline MeanPlane meanPlane(const PolyhedronSurface& surface, const int* face)
 }
 
 /** Largest distance of a face's vertices from its mean plane. */
-inline double warpOf(const PolyhedronSurface& surface, const int* face)
+inline double WarpOf(const PolyhedronSurface& surface, const int* face)
 {
-  const MeanPlane plane = meanPlane(surface, face);
+  const MeanPlane plane = MeanPlaneOf(surface, face);
   double warp = 0;
   for (int k = 1; k <= *face; ++k)
   {
@@ -107,14 +107,14 @@ struct Bulge
   double Outside = 0; ///< largest height of another vertex above a face's mean plane
 };
 
-inline Bulge measureBulge(const PolyhedronSurface& surface)
+inline Bulge MeasureBulge(const PolyhedronSurface& surface)
 {
   Bulge bulge;
   const FaceList<int> faces = surface.Faces();
   std::vector<char> own(static_cast<std::size_t>(surface.NumberOfVertices()));
   for (const int* face = faces.Begin; face != faces.End; face += *face + 1)
   {
-    const MeanPlane plane = meanPlane(surface, face);
+    const MeanPlane plane = MeanPlaneOf(surface, face);
     std::fill(own.begin(), own.end(), 0);
     for (int k = 1; k <= *face; ++k)
     {
@@ -131,9 +131,9 @@ inline Bulge measureBulge(const PolyhedronSurface& surface)
 }
 
 /** Question 1. `warpTolerance`: the largest warp, as a part of the cell's size, that is still called a warp and not a fold. */
-inline bool isConvexButForWarp(const PolyhedronSurface& surface, double slack, double warpTolerance)
+inline bool IsConvexButForWarp(const PolyhedronSurface& surface, double slack, double warpTolerance)
 {
-  const Bulge bulge = measureBulge(surface);
+  const Bulge bulge = MeasureBulge(surface);
   return bulge.Warp <= warpTolerance * surface.Size() + slack &&
     bulge.Outside <= bulge.Warp + slack;
 }

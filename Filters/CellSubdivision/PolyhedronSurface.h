@@ -26,9 +26,9 @@ namespace nephoscope
 {
 
 /** Six times the volume of the tetrahedron (apex, a, b, c): positive where (a, b, c) runs outward as seen from the apex. */
-inline double sixVolumes(const Vector3& apex, const Vector3& a, const Vector3& b, const Vector3& c)
+inline double SixVolumes(const Vector3& apex, const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  return dot(cross(difference(a, apex), difference(b, apex)), difference(c, apex));
+  return Dot(Cross(Difference(a, apex), Difference(b, apex)), Difference(c, apex));
 }
 
 class PolyhedronSurface
@@ -218,8 +218,8 @@ void PolyhedronSurface::CopyFaces(FaceList<Index> faces)
       high[axis] = std::max(high[axis], x[axis]);
     }
   }
-  const Vector3 d = difference(high, low);
-  this->Diagonal = std::sqrt(dot(d, d));
+  const Vector3 d = Difference(high, low);
+  this->Diagonal = std::sqrt(Dot(d, d));
 }
 
 inline bool PolyhedronSurface::CollectEdges()
@@ -314,7 +314,7 @@ inline double PolyhedronSurface::SixVolumesOfPart(int part)
     const int* face = this->Face(static_cast<int>(f));
     for (int k = 2; this->Parts[f] == part && k < *face; ++k)
     {
-      sum += sixVolumes(
+      sum += SixVolumes(
         origin, this->Position(face[1]), this->Position(face[k]), this->Position(face[k + 1]));
     }
   }
@@ -330,12 +330,12 @@ inline bool PolyhedronSurface::IsInside(const Vector3& point, int part)
     const int* face = this->Face(static_cast<int>(f));
     for (int k = 2; this->Parts[f] == part && k < *face; ++k)
     {
-      const Vector3 a = difference(this->Position(face[1]), point);
-      const Vector3 b = difference(this->Position(face[k]), point);
-      const Vector3 c = difference(this->Position(face[k + 1]), point);
-      const double la = std::sqrt(dot(a, a)), lb = std::sqrt(dot(b, b)), lc = std::sqrt(dot(c, c));
+      const Vector3 a = Difference(this->Position(face[1]), point);
+      const Vector3 b = Difference(this->Position(face[k]), point);
+      const Vector3 c = Difference(this->Position(face[k + 1]), point);
+      const double la = std::sqrt(Dot(a, a)), lb = std::sqrt(Dot(b, b)), lc = std::sqrt(Dot(c, c));
       half += std::atan2(
-        dot(cross(a, b), c), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        Dot(Cross(a, b), c), la * lb * lc + Dot(a, b) * lc + Dot(b, c) * la + Dot(c, a) * lb);
     }
   }
   return std::abs(half) > std::acos(-1.0);

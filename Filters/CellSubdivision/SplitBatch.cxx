@@ -34,7 +34,7 @@ void AddPiece(SplitCells& cells, Piece<vtkIdType> piece, vtkIdType source, int l
     std::swap(piece.Corners[4], piece.Corners[5]);
   }
   cells.Corners.insert(cells.Corners.end(), piece.Corners.begin(),
-    piece.Corners.begin() + numberOfCorners(piece.Shape));
+    piece.Corners.begin() + NumberOfCorners(piece.Shape));
   cells.EndCell(TypeOf(piece.Shape), source, layer);
 }
 }
@@ -81,13 +81,13 @@ void CellSplitter::AddCell(vtkIdType cell)
     this->Batch.Missing.Add(cell);
     this->AddWhole(-1);
   }
-  else if (isCrossed(least, largest))
+  else if (IsCrossed(least, largest))
   {
     this->AddDivided();
   }
   else
   {
-    this->AddWhole(highestLayer(largest));
+    this->AddWhole(HighestLayer(largest));
     if (this->With.Surfaces && (least & 1) != 0 && largest > least)
     {
       this->AddFacesOnLevel(least);
@@ -227,7 +227,7 @@ void CellSplitter::CollectDividedFaces()
       return;
     }
     const auto codes = std::minmax_element(begin, end, order);
-    if (!isCrossed(this->Codes[*codes.first], this->Codes[*codes.second]))
+    if (!IsCrossed(this->Codes[*codes.first], this->Codes[*codes.second]))
     {
       this->Batch.DividedFaces.push_back(this->Cell.KeyOf(begin, end));
     }

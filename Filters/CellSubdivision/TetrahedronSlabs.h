@@ -38,7 +38,7 @@ enum class PieceShape : unsigned char
   Hexahedron
 };
 
-constexpr int numberOfCorners(PieceShape shape)
+constexpr int NumberOfCorners(PieceShape shape)
 {
   constexpr int corners[] = { 0, 0, 0, 3, 4, 4, 5, 6, 8 };
   return corners[static_cast<int>(shape)];
@@ -127,7 +127,7 @@ constexpr Pattern crossSections[4] = {
 
 /** The mirror image: for tetrahedra of negative volume. */
 template <typename Corner>
-void mirror(Piece<Corner>& piece)
+void Mirror(Piece<Corner>& piece)
 {
   auto& c = piece.Corners;
   switch (piece.Shape)
@@ -155,7 +155,7 @@ namespace slabs
 {
 // Leaves out corners that repeat their neighbour in a loop; returns how many stay.
 template <typename Corner>
-int uniqueLoop(std::array<Corner, 8>& c, int size)
+int UniqueLoop(std::array<Corner, 8>& c, int size)
 {
   int kept = 0;
   for (int i = 0; i < size; ++i)
@@ -169,19 +169,19 @@ int uniqueLoop(std::array<Corner, 8>& c, int size)
 }
 
 template <typename Corner>
-void simplifyPyramid(Piece<Corner>& piece)
+void SimplifyPyramid(Piece<Corner>& piece)
 {
   auto& c = piece.Corners;
   const Corner apex = c[4];
   const bool flat = std::find(c.begin(), c.begin() + 4, apex) != c.begin() + 4;
-  const int kept = flat ? 0 : uniqueLoop(c, 4);
+  const int kept = flat ? 0 : UniqueLoop(c, 4);
   c[kept == 3 ? 3 : 4] = apex;
   piece.Shape = kept == 4 ? pyramid : kept == 3 ? tetrahedron : PieceShape::Nothing;
 }
 
 // Lateral edges that shrink to a point leave a pyramid, a tetrahedron, nothing.
 template <typename Corner>
-void simplifyLateral(Piece<Corner>& piece, int shrunk)
+void SimplifyLateral(Piece<Corner>& piece, int shrunk)
 {
   const auto w = piece.Corners;
   int i = 0; // of one edge shrunk the first, of two the other one
@@ -202,7 +202,7 @@ void simplifyLateral(Piece<Corner>& piece, int shrunk)
 }
 
 template <typename Corner>
-void simplifyWedge(Piece<Corner>& piece)
+void SimplifyWedge(Piece<Corner>& piece)
 {
   const auto w = piece.Corners;
   const bool first = w[0] == w[1] && w[1] == w[2];
@@ -222,14 +222,14 @@ void simplifyWedge(Piece<Corner>& piece)
   }
   else if (shrunk > 0)
   {
-    simplifyLateral(piece, shrunk);
+    SimplifyLateral(piece, shrunk);
   }
 }
 } // namespace slabs
 
 /** The remainder of a piece after some of its corners have merged. */
 template <typename Corner>
-void simplify(Piece<Corner>& piece)
+void Simplify(Piece<Corner>& piece)
 {
   auto& c = piece.Corners;
   switch (piece.Shape)
@@ -237,7 +237,7 @@ void simplify(Piece<Corner>& piece)
     case PieceShape::Triangle:
     case PieceShape::Quadrilateral:
     {
-      const int kept = slabs::uniqueLoop(c, numberOfCorners(piece.Shape));
+      const int kept = slabs::UniqueLoop(c, NumberOfCorners(piece.Shape));
       piece.Shape = kept < 3 ? PieceShape::Nothing
         : kept == 3          ? PieceShape::Triangle
                              : PieceShape::Quadrilateral;
@@ -253,10 +253,10 @@ void simplify(Piece<Corner>& piece)
       }
       break;
     case PieceShape::Pyramid:
-      slabs::simplifyPyramid(piece);
+      slabs::SimplifyPyramid(piece);
       break;
     case PieceShape::Wedge:
-      slabs::simplifyWedge(piece);
+      slabs::SimplifyWedge(piece);
       break;
     default: // no vertex of a hexahedron's slab is on a value
       break;
@@ -284,8 +284,8 @@ public:
   template <typename EmitPiece, typename EmitSurface>
   void Split(EmitPiece emitPiece, EmitSurface emitSurface)
   {
-    const int lowest = lowestLayer(this->Codes[0]);
-    const int highest = highestLayer(this->Codes[3]);
+    const int lowest = LowestLayer(this->Codes[0]);
+    const int highest = HighestLayer(this->Codes[3]);
     for (int layer = lowest; layer < highest; ++layer)
     {
       this->CutEdges(layer);
@@ -345,17 +345,17 @@ private:
   {
     Piece<Corner> piece;
     piece.Shape = pattern.Shape;
-    for (int i = 0; i < numberOfCorners(pattern.Shape); ++i)
+    for (int i = 0; i < NumberOfCorners(pattern.Shape); ++i)
     {
       piece.Corners[i] = this->Corners[pattern.Corners[i]];
     }
     if (touched)
     {
-      simplify(piece);
+      Simplify(piece);
     }
     if (this->Mirrored)
     {
-      mirror(piece);
+      Mirror(piece);
     }
     if (piece.Shape != PieceShape::Nothing)
     {

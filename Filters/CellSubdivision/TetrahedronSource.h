@@ -48,7 +48,7 @@ public:
     , Divisions(divisions
           ? divisions
           : vtkUnsignedCharArray::SafeDownCast(data->GetCellData()->GetArray(divisionName)))
-    , Chessboard(findChessboardGrid(data))
+    , Chessboard(FindChessboardGrid(data))
   {
   }
 
@@ -81,7 +81,7 @@ public:
   {
     const int division = this->Divisions ? this->Divisions->GetValue(cell) : 0;
     const bool ofGrid = !this->Chessboard.IsEmpty() || (division > 0 && division <= lastOfGrid);
-    const CellCorners corners = cellCorners(this->Type);
+    const CellCorners corners = CellCornersOf(this->Type);
     if (ofGrid || corners.Begin == corners.End)
     {
       this->Shape = CellShape::Whole;
@@ -99,7 +99,7 @@ public:
   template <typename PlaceOfPoint>
   bool PassesQuickTest(PlaceOfPoint placeOfPoint) const
   {
-    const CellCorners corners = cellCorners(this->Type);
+    const CellCorners corners = CellCornersOf(this->Type);
     const vtkIdType* ids = this->Points->GetPointer(0);
     std::array<Vector3, 8> places;
     for (vtkIdType i = 0; i < this->Points->GetNumberOfIds() && corners.Begin; ++i)
@@ -107,7 +107,7 @@ public:
       places[i] = placeOfPoint(ids[i]);
     }
     return !corners.Begin ||
-      isWellShaped(corners, [&](int vertex) -> const Vector3& { return places[vertex]; });
+      IsWellShaped(corners, [&](int vertex) -> const Vector3& { return places[vertex]; });
   }
 
   /** Off: all cells are known to be in order, from an earlier walk through the same data. */
@@ -135,7 +135,7 @@ public:
       this->EmitFromGrid(this->Divisions->GetValue(cell), emit);
       return true;
     }
-    const FaceList<int> faces = linearCellFaces(this->Type);
+    const FaceList<int> faces = LinearCellFaces(this->Type);
     if (faces.Begin)
     {
       this->EmitLinear(faces, emit);
@@ -200,7 +200,7 @@ public:
         });
     const bool isFloat = this->Grid->GetPoints()->GetDataType() == VTK_FLOAT;
     return state != PolyhedronSurface::State::Closed ||
-      coneFillsCell(this->Surface, slackOf(this->Surface, isFloat));
+      ConeFillsCell(this->Surface, SlackOf(this->Surface, isFloat));
   }
 
   /**
@@ -246,7 +246,7 @@ private:
       positions[i] = { { std::get<0>(p), std::get<1>(p), std::get<2>(p) } };
     }
     PointOrders::Order order;
-    this->Shape = findCellShape(
+    this->Shape = FindCellShape(
       this->Type, [&](int vertex) -> const Vector3& { return positions[vertex]; }, order);
     if (this->Shape == CellShape::Misnumbered)
     {
@@ -263,7 +263,7 @@ private:
   template <typename Emit>
   void EmitFromGrid(int division, Emit emit)
   {
-    const std::array<int, 8> vertices = hexahedronForm(this->Type).Vertices;
+    const std::array<int, 8> vertices = HexahedronFormOf(this->Type).Vertices;
     const bool ofGrid = division <= lastOfGrid;
     if (!ofGrid)
     {
@@ -310,7 +310,7 @@ private:
     {
       faces = this->WithoutRepeatedVertices(faces);
     }
-    decomposeCell(
+    DecomposeCell(
       faces, [this](int a, int b) { return this->Places[a] < this->Places[b]; },
       [&](const std::array<int, 4>& t) {
         this->AddVolume(t);
@@ -332,7 +332,7 @@ private:
       return Vector3{ { std::get<0>(b) - std::get<0>(a), std::get<1>(b) - std::get<1>(a),
         std::get<2>(b) - std::get<2>(a) } };
     };
-    return dot(cross(from(t[1]), from(t[2])), from(t[3]));
+    return Dot(Cross(from(t[1]), from(t[2])), from(t[3]));
   }
 
   // Where a row of cells shrinks to a pole, vertices of a cell coincide. They become one.
@@ -383,7 +383,7 @@ private:
   {
     this->Grid->GetFaceStream(cell, this->Faces); // number of faces, then the face list
     const vtkIdType* stream = this->Faces->GetPointer(0);
-    decomposeCell(
+    DecomposeCell(
       FaceList<vtkIdType>{ stream + 1, stream + this->Faces->GetNumberOfIds() },
       [this](vtkIdType a, vtkIdType b) { return this->PlaceOf(a) < this->PlaceOf(b); }, emit);
   }
@@ -394,7 +394,7 @@ private:
   {
     this->Data->GetCell(cell, this->Cell);
     auto part = [&](FaceList<int> faces, const int* points) {
-      decomposeCell(
+      DecomposeCell(
         faces,
         [&](int a, int b) {
           return this->PlaceOf(this->Points->GetId(points[a])) <
@@ -406,7 +406,7 @@ private:
               this->Points->GetId(points[t[2]]), this->Points->GetId(points[t[3]]) } });
         });
     };
-    if (splitHigherOrderCell(this->Cell->GetRepresentativeCell(), part))
+    if (SplitHigherOrderCell(this->Cell->GetRepresentativeCell(), part))
     {
       return true;
     }

@@ -84,14 +84,14 @@ vtkMTimeType vtkContourCellSplitter::GetMTime()
 
 int vtkContourCellSplitter::FillInputPortInformation(int, vtkInformation* info)
 {
-  nephoscope::takeAnyData(info);
+  nephoscope::TakeAnyData(info);
   return 1;
 }
 
 vtkTypeBool vtkContourCellSplitter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+  return nephoscope::HasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
            { "vtkDataSet" }, "It must be a dataset with cells.") ||
     this->Superclass::ProcessRequest(request, inputs, outputs);
 }
@@ -101,7 +101,7 @@ int vtkContourCellSplitter::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
-  if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs) ||
+  if (nephoscope::IsEmptyInput(this, this->ToldOfEmptiness, inputs, outputs) ||
     input->GetNumberOfCells() == 0 || input->GetNumberOfPoints() == 0 ||
     this->Blocks->IsLackedBy(input))
   {
@@ -116,7 +116,7 @@ int vtkContourCellSplitter::RequestData(
   }
   bool finished = false;
   std::vector<nephoscope::SplitBatch> batches;
-  nephoscope::withThreads([&]() {
+  nephoscope::WithThreads([&]() {
     const nephoscope::ContourScalars scalars(input, array, levels);
     finished = this->SplitCells(input, scalars, batches);
     if (finished)
@@ -161,21 +161,21 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
       << called << " to split cells at. "
       << (onCells ? "It is on cells: apply Cell Data to Point Data first. "
                   : "Choose one with SetInputArrayToProcess. ")
-      << "Point arrays: " << nephoscope::quotedNames(input->GetPointData()) << "."
+      << "Point arrays: " << nephoscope::QuotedNames(input->GetPointData()) << "."
       << this->Blocks->NorInOthers());
     return nullptr;
   }
   auto* array = vtkDataArray::SafeDownCast(found);
   if (association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    vtkErrorMacro("The array " << nephoscope::quotedName(found)
+    vtkErrorMacro("The array " << nephoscope::QuotedName(found)
                                << " is not on points, so it is not continuous and has no contours. "
                                   "Apply Cell Data to Point Data first.");
     return nullptr;
   }
   if (!array || vtkBitArray::SafeDownCast(found) || array->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro("The array " << nephoscope::quotedName(found) << " of type "
+    vtkErrorMacro("The array " << nephoscope::QuotedName(found) << " of type "
                                << found->GetDataTypeAsString() << " has "
                                << found->GetNumberOfComponents()
                                << " components; one number at each point is needed. Make an array "
@@ -184,7 +184,7 @@ vtkDataArray* vtkContourCellSplitter::FindScalars(vtkDataSet* input, vtkInformat
   }
   if (array->GetNumberOfTuples() != input->GetNumberOfPoints())
   {
-    vtkErrorMacro("The array " << nephoscope::quotedName(array) << " has "
+    vtkErrorMacro("The array " << nephoscope::QuotedName(array) << " has "
                                << array->GetNumberOfTuples() << " values for "
                                << input->GetNumberOfPoints() << " points.");
     return nullptr;
@@ -233,7 +233,7 @@ std::string vtkContourCellSplitter::ReasonForNoDivision(vtkDataArray* array)
   {
     const std::array<double, 2>& all =
       this->DefaultRange; // of all blocks; the value is in the middle
-    reason << "the values of the array " << nephoscope::quotedName(array) << " are all " << all[0]
+    reason << "the values of the array " << nephoscope::QuotedName(array) << " are all " << all[0]
            << ", so that no value is between them. Choose another array.";
     return all[0] == all[1] ? reason.str() : std::string();
   }
@@ -247,7 +247,7 @@ std::string vtkContourCellSplitter::ReasonForNoDivision(vtkDataArray* array)
     }
   }
   reason
-    << "the values of the array " << nephoscope::quotedName(array) << " are " << range[0] << " to "
+    << "the values of the array " << nephoscope::QuotedName(array) << " are " << range[0] << " to "
     << range[1]
     << ", but no contour value is within that range. Choose other contour values, or another array.";
   return this->GetNumberOfContours() > 0 ? reason.str() : std::string();
@@ -344,7 +344,7 @@ void vtkContourCellSplitter::Warn(
   if (missing.Count > 0)
   {
     vtkWarningMacro("The array "
-      << nephoscope::quotedName(array) << " is not a finite number at vertices of "
+      << nephoscope::QuotedName(array) << " is not a finite number at vertices of "
       << Cells(missing)
       << ". They stay undivided, with Layer -1. Threshold the array Layer to remove them.");
   }

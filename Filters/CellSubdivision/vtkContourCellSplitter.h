@@ -192,7 +192,7 @@ private:
   bool HasDivided = false;
   int ExecutionDepth = 0;
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array
-  vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
+  vtkMTimeType ToldOfInput = 0;                        // for HasOtherInput
   vtkMTimeType ToldOfEmptiness = 0;
 };
 

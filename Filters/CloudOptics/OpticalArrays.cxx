@@ -25,7 +25,7 @@ namespace
 constexpr double fillValue = 1e20; // and more: no value
 constexpr double leastCover = 0.01;
 
-vtkSmartPointer<vtkFloatArray> makeArray(const char* name, vtkIdType count)
+vtkSmartPointer<vtkFloatArray> MakeArray(const char* name, vtkIdType count)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
   array->SetName(name);
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkFloatArray> makeArray(const char* name, vtkIdType count)
   return array;
 }
 
-bool isValue(double value)
+bool IsValue(double value)
 {
   return std::isfinite(value) && std::abs(value) < fillValue;
 }
@@ -84,7 +84,7 @@ private:
   double TemperatureAt(vtkIdType i) const
   {
     const double t = this->Fields.Has(WaterFields::Temperature) ? this->Fields.Kelvin(i) : 273.15;
-    return isValue(t) && t > 0 ? t : 273.15;
+    return IsValue(t) && t > 0 ? t : 273.15;
   }
 
   // kg/m3; what cannot be is counted and 0.
@@ -98,7 +98,7 @@ private:
     const double density = IsMixingRatio(this->Fields.Units[kind])
       ? atmosphere::Density(this->Pressures[i], this->TemperatureAt(i))
       : 1.0;
-    const bool valid = isValue(value) && isValue(density);
+    const bool valid = IsValue(value) && IsValue(density);
     this->Missing += valid ? 0 : 1;
     this->Negative += valid && value < 0 ? 1 : 0;
     return valid && value > 0 ? value * density : 0.0;
@@ -114,7 +114,7 @@ private:
     const double cover = this->Fields.Has(WaterFields::CloudFraction)
       ? this->Fields.ToCover * this->Fields.Value(WaterFields::CloudFraction, i)
       : 1.0;
-    return isValue(cover) ? std::min(std::max(cover, leastCover), 1.0) : 1.0;
+    return IsValue(cover) ? std::min(std::max(cover, leastCover), 1.0) : 1.0;
   }
 
   double LiquidRadius(vtkIdType i, double inCloud) const
@@ -143,7 +143,7 @@ private:
   int Hidden;
 };
 
-void writeOptics(
+void WriteOptics(
   PointOptics& optics, OpticalArrays& arrays, double exaggeration, vtkIdType begin, vtkIdType end)
 {
   for (vtkIdType i = begin; i < end; ++i)
@@ -159,7 +159,7 @@ void writeOptics(
   }
 }
 
-std::vector<double> pressuresOfArray(const WaterFields& fields)
+std::vector<double> PressuresOfArray(const WaterFields& fields)
 {
   vtkDataArray* array = fields.Arrays[WaterFields::Pressure];
   std::vector<double> pressures(static_cast<std::size_t>(array->GetNumberOfTuples()));
@@ -176,7 +176,7 @@ struct Column
 };
 
 // The numbers of the points of a column, from the ground up: heights of the air tell which end is below, also where places are in other units.
-std::vector<vtkIdType> pointsOfColumn(
+std::vector<vtkIdType> PointsOfColumn(
   const WaterFields& fields, const UprightOrder& order, std::size_t number)
 {
   const std::size_t stride = std::size_t(order.GetSizes()[0]) * order.GetSizes()[1];
@@ -193,7 +193,7 @@ std::vector<vtkIdType> pointsOfColumn(
   return points;
 }
 
-Column columnAt(const WaterFields& fields, const std::vector<vtkIdType>& points)
+Column ColumnAt(const WaterFields& fields, const std::vector<vtkIdType>& points)
 {
   Column column;
   for (const vtkIdType p : points)
@@ -207,15 +207,15 @@ Column columnAt(const WaterFields& fields, const std::vector<vtkIdType>& points)
   return column;
 }
 
-std::vector<double> balancedPressures(const WaterFields& fields, const UprightOrder& order)
+std::vector<double> BalancedPressures(const WaterFields& fields, const UprightOrder& order)
 {
   const vtkIdType columns = vtkIdType(order.GetSizes()[0]) * order.GetSizes()[1];
   std::vector<double> pressures(static_cast<std::size_t>(columns * order.GetSizes()[2]));
   vtkSMPTools::For(0, columns, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const std::vector<vtkIdType> points = pointsOfColumn(fields, order, std::size_t(i));
-      const Column here = columnAt(fields, points);
+      const std::vector<vtkIdType> points = PointsOfColumn(fields, order, std::size_t(i));
+      const Column here = ColumnAt(fields, points);
       const std::vector<double> column = column::Pressures(here.Heights, here.Temperatures);
       for (std::size_t k = 0; k < points.size(); ++k)
       {
@@ -227,7 +227,7 @@ std::vector<double> balancedPressures(const WaterFields& fields, const UprightOr
 }
 
 // Without columns there is no balance of a point's own air: the standard atmosphere, geopotential and geometric metres alike.
-std::vector<double> standardPressures(vtkDataArray* heights)
+std::vector<double> StandardPressures(vtkDataArray* heights)
 {
   std::vector<double> pressures(static_cast<std::size_t>(heights->GetNumberOfTuples()));
   for (std::size_t p = 0; p < pressures.size(); ++p)
@@ -238,7 +238,7 @@ std::vector<double> standardPressures(vtkDataArray* heights)
 }
 }
 
-UprightOrder columnsOf(vtkDataSet* data, bool onCells)
+UprightOrder ColumnsOf(vtkDataSet* data, bool onCells)
 {
   int sizes[3] = { 0, 0, 0 };
   if (auto* image = vtkImageData::SafeDownCast(data))
@@ -262,13 +262,13 @@ UprightOrder columnsOf(vtkDataSet* data, bool onCells)
     data->GetPoint(static_cast<vtkIdType>(p), place.data());
     return place;
   };
-  const Planet planet = planetOf(data);
+  const Planet planet = FindPlanet(data);
   const UprightOrder order({ { sizes[0], sizes[1], sizes[2] } }, placeOf,
     [&planet](const Vector3& place) { return planet.UpAt(place); });
   return onCells ? order.OfCells() : order;
 }
 
-std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields)
+std::vector<double> PressuresOf(vtkDataSet* data, const WaterFields& fields)
 {
   if (!fields.NeedsPressure())
   {
@@ -276,30 +276,30 @@ std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields)
   }
   if (fields.Has(WaterFields::Pressure))
   {
-    return pressuresOfArray(fields);
+    return PressuresOfArray(fields);
   }
-  const UprightOrder order = columnsOf(data, fields.OnCells);
+  const UprightOrder order = ColumnsOf(data, fields.OnCells);
   if (fields.Has(WaterFields::Height) && order.GetSizes()[2] > 1)
   {
-    return balancedPressures(fields, order);
+    return BalancedPressures(fields, order);
   }
-  return standardPressures(fields.Arrays[WaterFields::Height]);
+  return StandardPressures(fields.Arrays[WaterFields::Height]);
 }
 
-OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
+OpticalArrays ComputeOptics(vtkDataSet* data, const WaterFields& fields,
   const std::vector<double>& pressures, const OpticalSettings& settings,
   const std::function<bool(double)>& progress)
 {
   const vtkIdType count = fields.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
-  OpticalArrays arrays{ makeArray("Extinction", count), makeArray("SingleScatteringAlbedo", count),
-    makeArray("AsymmetryParameter", count), makeArray("LiquidEffectiveRadius", count),
-    makeArray("IceEffectiveRadius", count) };
+  OpticalArrays arrays{ MakeArray("Extinction", count), MakeArray("SingleScatteringAlbedo", count),
+    MakeArray("AsymmetryParameter", count), MakeArray("LiquidEffectiveRadius", count),
+    MakeArray("IceEffectiveRadius", count) };
   PointOptics optics(data, fields, pressures, settings);
   const vtkIdType stretch = 200000;
   for (vtkIdType first = 0; first < count && progress(double(first) / count); first += stretch)
   {
     vtkSMPTools::For(first, std::min(count, first + stretch), [&](vtkIdType begin, vtkIdType end) {
-      writeOptics(optics, arrays, settings.Exaggeration, begin, end);
+      WriteOptics(optics, arrays, settings.Exaggeration, begin, end);
     });
   }
   arrays.Negative = optics.Negative;
@@ -307,7 +307,7 @@ OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
   return arrays;
 }
 
-void computeColumns(vtkDataSet* data, const UprightOrder& order, vtkFloatArray* extinction,
+void ComputeColumns(vtkDataSet* data, const UprightOrder& order, vtkFloatArray* extinction,
   vtkFloatArray* above, vtkFloatArray* whole)
 {
   const int levels = order.GetSizes()[2];

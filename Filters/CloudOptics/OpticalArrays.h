@@ -34,18 +34,18 @@ struct OpticalArrays
 };
 
 /** Structured data in columns, along the third index of the order; of other data it has one level at most. */
-UprightOrder columnsOf(vtkDataSet* data, bool onCells);
+UprightOrder ColumnsOf(vtkDataSet* data, bool onCells);
 
 /** Pressures in pascals, of the pressure array in hydrostatic balance, or without columns of the standard atmosphere; empty where none are needed. */
-std::vector<double> pressuresOf(vtkDataSet* data, const WaterFields& fields);
+std::vector<double> PressuresOf(vtkDataSet* data, const WaterFields& fields);
 
 /** `progress` takes the fraction that is done; false: stop, and the arrays are not complete. */
-OpticalArrays computeOptics(vtkDataSet* data, const WaterFields& fields,
+OpticalArrays ComputeOptics(vtkDataSet* data, const WaterFields& fields,
   const std::vector<double>& pressures, const OpticalSettings& settings,
   const std::function<bool(double)>& progress);
 
 /** Optical depth from each point up to the top of its column, and of the whole column. */
-void computeColumns(vtkDataSet* data, const UprightOrder& order, vtkFloatArray* extinction,
+void ComputeColumns(vtkDataSet* data, const UprightOrder& order, vtkFloatArray* extinction,
   vtkFloatArray* above, vtkFloatArray* whole);
 }
 

@@ -24,7 +24,7 @@ struct NamesOfModels
   std::vector<const char*> Names;
 };
 
-const NamesOfModels& namesOf(WaterFields::Kind kind)
+const NamesOfModels& NamesOf(WaterFields::Kind kind)
 {
   static const std::array<NamesOfModels, WaterFields::NumberOfFields> names = { {
     { "cloud water", "TotalWaterArrayName", { "clwmr", "tot_qc_dia", "CLDWAT", "QN" } },
@@ -49,7 +49,7 @@ const NamesOfModels& namesOf(WaterFields::Kind kind)
   return names[kind];
 }
 
-vtkDataArray* arrayOf(vtkDataSet* data, bool onCells, const std::string& name)
+vtkDataArray* ArrayOf(vtkDataSet* data, bool onCells, const std::string& name)
 {
   vtkDataSetAttributes* attributes =
     onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
@@ -57,24 +57,24 @@ vtkDataArray* arrayOf(vtkDataSet* data, bool onCells, const std::string& name)
 }
 
 // By the exact name, otherwise by a name in other case, as models spell it: QC of COSMO.
-vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
+vtkDataArray* FirstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
 {
-  for (const char* name : namesOf(kind).Names)
+  for (const char* name : NamesOf(kind).Names)
   {
-    if (vtkDataArray* array = arrayOf(data, onCells, name))
+    if (vtkDataArray* array = ArrayOf(data, onCells, name))
     {
       return array;
     }
   }
   vtkDataSetAttributes* attributes =
     onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
-  for (const char* name : namesOf(kind).Names)
+  for (const char* name : NamesOf(kind).Names)
   {
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = attributes->GetArray(i);
       if (array && array->GetName() &&
-        nephoscope::lowerCase(array->GetName()) == nephoscope::lowerCase(name))
+        nephoscope::LowerCase(array->GetName()) == nephoscope::LowerCase(name))
       {
         return array;
       }
@@ -83,27 +83,27 @@ vtkDataArray* firstOf(vtkDataSet* data, bool onCells, WaterFields::Kind kind)
   return nullptr;
 }
 
-std::string allArrays(vtkDataSet* data)
+std::string AllArrays(vtkDataSet* data)
 {
-  return "Point arrays: " + quotedArrayNames(data->GetPointData()) +
-    "; cell arrays: " + quotedArrayNames(data->GetCellData()) + ".";
+  return "Point arrays: " + QuotedArrayNames(data->GetPointData()) +
+    "; cell arrays: " + QuotedArrayNames(data->GetCellData()) + ".";
 }
 
 using Kind = WaterFields::Kind;
 
-void take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
+void Take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
 {
   for (int k = 0; k < WaterFields::NumberOfFields; ++k)
   {
     const auto kind = static_cast<Kind>(k);
     fields.Arrays[k] = names[k] == "none" ? nullptr
-      : names[k].empty()                  ? firstOf(data, fields.OnCells, kind)
-                                          : arrayOf(data, fields.OnCells, names[k]);
+      : names[k].empty()                  ? FirstOf(data, fields.OnCells, kind)
+                                          : ArrayOf(data, fields.OnCells, names[k]);
   }
   // GFS uses the same name for the liquid that it used for the sum before it had ice.
   vtkDataArray* total = fields.Arrays[WaterFields::Total];
   if (names[WaterFields::Total].empty() && names[WaterFields::Liquid].empty() && total &&
-    nephoscope::lowerCase(total->GetName()) == "clwmr" && fields.Has(WaterFields::Ice) &&
+    nephoscope::LowerCase(total->GetName()) == "clwmr" && fields.Has(WaterFields::Ice) &&
     !fields.Has(WaterFields::Liquid))
   {
     fields.Arrays[WaterFields::Liquid] = total;
@@ -116,27 +116,27 @@ void take(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
   }
 }
 
-bool hasWater(const WaterFields& fields)
+bool HasWater(const WaterFields& fields)
 {
   return fields.Has(WaterFields::Total) || fields.Has(WaterFields::Liquid) ||
     fields.Has(WaterFields::Ice) || fields.Has(WaterFields::Rain) || fields.Has(WaterFields::Snow);
 }
 
 // At points, or otherwise at cells.
-void takeWhereWaterIs(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
+void TakeWhereWaterIs(vtkDataSet* data, const FieldNames& names, WaterFields& fields)
 {
-  take(data, names, fields);
-  if (!hasWater(fields))
+  Take(data, names, fields);
+  if (!HasWater(fields))
   {
     WaterFields onCells;
     onCells.OnCells = true;
-    take(data, names, onCells);
-    fields = hasWater(onCells) ? onCells : fields;
+    Take(data, names, onCells);
+    fields = HasWater(onCells) ? onCells : fields;
   }
 }
 
 // Named by the user, but not there.
-std::string missingNames(const FieldNames& names, const WaterFields& fields)
+std::string MissingNames(const FieldNames& names, const WaterFields& fields)
 {
   std::string text;
   for (int k = 0; k < WaterFields::NumberOfFields; ++k)
@@ -144,20 +144,20 @@ std::string missingNames(const FieldNames& names, const WaterFields& fields)
     if (!names[k].empty() && names[k] != "none" && !fields.Arrays[k])
     {
       text += "There is no " + std::string(fields.OnCells ? "cell" : "point") + " array '" +
-        names[k] + "' of the " + wordsFor(static_cast<Kind>(k)) + ", as " +
-        namesOf(static_cast<Kind>(k)).Property + " says. ";
+        names[k] + "' of the " + WordsFor(static_cast<Kind>(k)) + ", as " +
+        NamesOf(static_cast<Kind>(k)).Property + " says. ";
     }
   }
   return text;
 }
 
-bool isNamed(const FieldNames& names, Kind kind)
+bool IsNamed(const FieldNames& names, Kind kind)
 {
   return !names[kind].empty() && names[kind] != "none";
 }
 
 // "separate ice from liquid and to compute the density of the air"; empty if the water needs no temperature.
-std::string purposesOfTemperature(const WaterFields& fields, bool water, bool pressure)
+std::string PurposesOfTemperature(const WaterFields& fields, bool water, bool pressure)
 {
   std::string text = !water || fields.Has(WaterFields::Total) ? "separate ice from liquid"
     : fields.Has(WaterFields::Ice)                            ? "find the size of ice crystals"
@@ -167,36 +167,36 @@ std::string purposesOfTemperature(const WaterFields& fields, bool water, bool pr
 }
 
 // All that is missing, so that it can be set at once. Without water, what most water needs.
-std::string missing(
+std::string Missing(
   vtkDataSet* data, const FieldNames& names, WaterUnits units, const WaterFields& fields)
 {
-  const bool water = hasWater(fields);
+  const bool water = HasWater(fields);
   const bool pressure =
     water ? fields.NeedsPressure() : units == WaterUnits::Automatic || IsMixingRatio(units);
-  const std::string purposes = purposesOfTemperature(fields, water, pressure);
-  std::string text = missingNames(names, fields);
+  const std::string purposes = PurposesOfTemperature(fields, water, pressure);
+  std::string text = MissingNames(names, fields);
   if (!water && text.empty())
   {
     text +=
       "There is no array of cloud water: set TotalWaterArrayName, or LiquidArrayName and IceArrayName. ";
   }
   if (!purposes.empty() && !fields.Has(WaterFields::Temperature) &&
-    !isNamed(names, WaterFields::Temperature))
+    !IsNamed(names, WaterFields::Temperature))
   {
     text += "There is no temperature, which is needed to " + purposes +
       ": set TemperatureArrayName (K). ";
   }
   if (pressure && !fields.Has(WaterFields::Pressure) && !fields.Has(WaterFields::Height) &&
-    !isNamed(names, WaterFields::Pressure))
+    !IsNamed(names, WaterFields::Pressure))
   {
     text +=
       "There is no pressure, which is needed to convert water from kg/kg to kg/m3: set PressureArrayName (Pa or hPa), or HeightArrayName (m) for the "
       "pressure of the standard atmosphere, which Globe Grid adds to its output, or set WaterUnits to kg/m3 or g/m3, if that is what they are. ";
   }
-  return text.empty() ? text : text + allArrays(data);
+  return text.empty() ? text : text + AllArrays(data);
 }
 
-std::string wrongShape(vtkDataSet* data, const WaterFields& fields)
+std::string WrongShape(vtkDataSet* data, const WaterFields& fields)
 {
   const vtkIdType count = fields.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   for (vtkDataArray* array : fields.Arrays)
@@ -212,17 +212,17 @@ std::string wrongShape(vtkDataSet* data, const WaterFields& fields)
   return std::string();
 }
 
-WaterUnits unitsOf(vtkDataSet* data, vtkDataArray* array)
+WaterUnits UnitsOfField(vtkDataSet* data, vtkDataArray* array)
 {
   const WaterUnits told = WaterUnitsOf(UnitsOf(data->GetFieldData(), array->GetName()));
-  const std::string name = nephoscope::lowerCase(array->GetName());
+  const std::string name = nephoscope::LowerCase(array->GetName());
   const bool isContent = name == "lwc" || name == "iwc";
   return told != WaterUnits::Automatic ? told
     : isContent                        ? WaterUnits::Content
                                        : WaterUnits::MixingRatio;
 }
 
-bool isCelsius(const std::string& text)
+bool IsCelsius(const std::string& text)
 {
   const char* words[] = { "c", "degc", "degreec", "degreesc", "deg_c", "degree_c", "degrees_c",
     "celsius", "degcelsius", "deg_celsius", "degreecelsius", "degreescelsius", "degree_celsius",
@@ -230,13 +230,13 @@ bool isCelsius(const std::string& text)
   return std::find(std::begin(words), std::end(words), text) != std::end(words);
 }
 
-double toKelvin(vtkDataSet* data, vtkDataArray* temperature)
+double SummandToKelvin(vtkDataSet* data, vtkDataArray* temperature)
 {
-  return temperature && isCelsius(UnitsOf(data->GetFieldData(), temperature->GetName())) ? 273.15
+  return temperature && IsCelsius(UnitsOf(data->GetFieldData(), temperature->GetName())) ? 273.15
                                                                                          : 0.0;
 }
 
-double greatestOf(vtkDataArray* array)
+double GreatestOf(vtkDataArray* array)
 {
   double range[2] = { 0, 0 };
   array->GetFiniteRange(range, 0);
@@ -244,17 +244,17 @@ double greatestOf(vtkDataArray* array)
 }
 
 // Percent, by the units or by values that no fraction has.
-double toFraction(vtkDataSet* data, vtkDataArray* array)
+double ToFraction(vtkDataSet* data, vtkDataArray* array)
 {
   const std::string units = array ? UnitsOf(data->GetFieldData(), array->GetName()) : std::string();
-  return array && (units == "%" || units == "percent" || greatestOf(array) > 1.5) ? 0.01 : 1.0;
+  return array && (units == "%" || units == "percent" || GreatestOf(array) > 1.5) ? 0.01 : 1.0;
 }
 
 // Without units, by the size of values: clouds are below 120 hPa of height, where kPa are less than 120, and hPa than 2000.
-double toPascal(vtkDataSet* data, vtkDataArray* array)
+double FactorToPascal(vtkDataSet* data, vtkDataArray* array)
 {
   const std::string units = array ? UnitsOf(data->GetFieldData(), array->GetName()) : std::string();
-  const double greatest = array ? greatestOf(array) : 0;
+  const double greatest = array ? GreatestOf(array) : 0;
   if (units == "pa")
   {
     return 1.0;
@@ -267,7 +267,7 @@ double toPascal(vtkDataSet* data, vtkDataArray* array)
 }
 
 // What could not be: the sum of all water in a cloud is below 20 g/kg, and no air as cold as 130 K.
-std::string wrongUnits(const WaterFields& fields)
+std::string WrongUnits(const WaterFields& fields)
 {
   vtkDataArray* temperature = fields.Arrays[WaterFields::Temperature];
   double celsius[2] = { 0, 1000 };
@@ -291,7 +291,7 @@ std::string wrongUnits(const WaterFields& fields)
     if (range[1] * KilogramsPer(fields.Units[k]) > 0.03 && range[1] < 1e20)
     {
       return "The array '" + std::string(fields.Arrays[k]->GetName()) + "' has values up to " +
-        std::to_string(range[1]) + ", which is too much " + wordsFor(static_cast<Kind>(k)) +
+        std::to_string(range[1]) + ", which is too much " + WordsFor(static_cast<Kind>(k)) +
         " for kg/kg or kg/m3. Set WaterUnits to g/kg or g/m3, if that is what they are.";
     }
   }
@@ -311,33 +311,34 @@ bool WaterFields::NeedsPressure() const
   return false;
 }
 
-const char* wordsFor(WaterFields::Kind kind)
+const char* WordsFor(WaterFields::Kind kind)
 {
-  return namesOf(kind).Words;
+  return NamesOf(kind).Words;
 }
 
-bool hasCloudWater(vtkDataSet* data, const FieldNames& names)
+bool HasCloudWater(vtkDataSet* data, const FieldNames& names)
 {
   WaterFields fields;
-  takeWhereWaterIs(data, names, fields);
-  return hasWater(fields);
+  TakeWhereWaterIs(data, names, fields);
+  return HasWater(fields);
 }
 
-std::string findWaterFields(
+std::string FindWaterFields(
   vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields)
 {
-  takeWhereWaterIs(data, names, fields);
+  TakeWhereWaterIs(data, names, fields);
   for (int k = 0; k < WaterFields::NumberOfWaters; ++k)
   {
-    fields.Units[k] =
-      units == WaterUnits::Automatic && fields.Arrays[k] ? unitsOf(data, fields.Arrays[k]) : units;
+    fields.Units[k] = units == WaterUnits::Automatic && fields.Arrays[k]
+      ? UnitsOfField(data, fields.Arrays[k])
+      : units;
   }
-  fields.ToKelvin = toKelvin(data, fields.Arrays[WaterFields::Temperature]);
-  fields.ToPascal = toPascal(data, fields.Arrays[WaterFields::Pressure]);
-  fields.ToCover = toFraction(data, fields.Arrays[WaterFields::CloudFraction]);
-  fields.ToLand = toFraction(data, fields.Arrays[WaterFields::Land]);
-  const std::string problem = missing(data, names, units, fields);
-  const std::string shape = problem.empty() ? wrongShape(data, fields) : problem;
-  return shape.empty() ? wrongUnits(fields) : shape;
+  fields.ToKelvin = SummandToKelvin(data, fields.Arrays[WaterFields::Temperature]);
+  fields.ToPascal = FactorToPascal(data, fields.Arrays[WaterFields::Pressure]);
+  fields.ToCover = ToFraction(data, fields.Arrays[WaterFields::CloudFraction]);
+  fields.ToLand = ToFraction(data, fields.Arrays[WaterFields::Land]);
+  const std::string problem = Missing(data, names, units, fields);
+  const std::string shape = problem.empty() ? WrongShape(data, fields) : problem;
+  return shape.empty() ? WrongUnits(fields) : shape;
 }
 }

@@ -49,14 +49,14 @@ struct WaterFields
 using FieldNames = std::array<std::string, WaterFields::NumberOfFields>;
 
 /** Fills `fields`; returns the problem and its remedy, or an empty string. */
-std::string findWaterFields(
+std::string FindWaterFields(
   vtkDataSet* data, const FieldNames& names, WaterUnits units, WaterFields& fields);
 
 /** Whether there is any water, at points or at cells. */
-bool hasCloudWater(vtkDataSet* data, const FieldNames& names);
+bool HasCloudWater(vtkDataSet* data, const FieldNames& names);
 
 /** The words for a field in messages. */
-const char* wordsFor(WaterFields::Kind kind);
+const char* WordsFor(WaterFields::Kind kind);
 }
 
 #endif

@@ -26,14 +26,14 @@ using nephoscope::WaterFields;
 namespace
 {
 // As vtkGlobeGrid writes it; 0, a flat grid, has no vertical optical depth to keep.
-double exaggerationOf(vtkDataSet* data)
+double ExaggerationOf(vtkDataSet* data)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray("VerticalExaggeration");
   const double value = array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : 1.0;
   return value > 0 ? value : 1.0;
 }
 
-void addColumns(vtkDataSet* data, const nephoscope::UprightOrder& order, vtkFloatArray* extinction)
+void AddColumns(vtkDataSet* data, const nephoscope::UprightOrder& order, vtkFloatArray* extinction)
 {
   for (const char* name : { "OpticalDepthAbove", "ColumnOpticalDepth" })
   {
@@ -45,11 +45,11 @@ void addColumns(vtkDataSet* data, const nephoscope::UprightOrder& order, vtkFloa
   const auto named = [&](const char* name) {
     return vtkFloatArray::SafeDownCast(data->GetPointData()->GetArray(name));
   };
-  nephoscope::computeColumns(
+  nephoscope::ComputeColumns(
     data, order, extinction, named("OpticalDepthAbove"), named("ColumnOpticalDepth"));
 }
 
-void addArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
+void AddArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
 {
   vtkDataSetAttributes* attributes =
     onCells ? static_cast<vtkDataSetAttributes*>(data->GetCellData()) : data->GetPointData();
@@ -59,15 +59,15 @@ void addArrays(vtkDataSet* data, const OpticalArrays& arrays, bool onCells)
     attributes->AddArray(array);
   }
   attributes->SetActiveScalars("Extinction");
-  const nephoscope::UprightOrder order = nephoscope::columnsOf(data, false);
+  const nephoscope::UprightOrder order = nephoscope::ColumnsOf(data, false);
   if (!onCells && order.GetSizes()[2] > 1)
   {
-    addColumns(data, order, arrays.Extinction);
+    AddColumns(data, order, arrays.Extinction);
   }
 }
 
 // As a reader of forecasts leaves them: the extinction is per metre, whatever the coordinates are.
-bool isInDegrees(vtkDataSet* data, const WaterFields& fields)
+bool IsInDegrees(vtkDataSet* data, const WaterFields& fields)
 {
   double b[6];
   data->GetBounds(b);
@@ -77,7 +77,7 @@ bool isInDegrees(vtkDataSet* data, const WaterFields& fields)
     b[2] >= -90 && b[3] <= 90;
 }
 
-std::string countOf(vtkIdType count)
+std::string CountOf(vtkIdType count)
 {
   return std::to_string(count) + (count == 1 ? " value" : " values");
 }
@@ -85,7 +85,7 @@ std::string countOf(vtkIdType count)
 
 vtkCloudOptics::vtkCloudOptics()
   : Blocks(std::make_unique<nephoscope::BlocksWithArray>(
-      this, [this](vtkDataSet* block) { return nephoscope::hasCloudWater(block, this->Names()); }))
+      this, [this](vtkDataSet* block) { return nephoscope::HasCloudWater(block, this->Names()); }))
 {
 }
 
@@ -104,19 +104,19 @@ nephoscope::FieldNames vtkCloudOptics::Names() const
 bool vtkCloudOptics::AddOptics(vtkDataSet* data)
 {
   WaterFields fields;
-  const std::string problem = nephoscope::findWaterFields(
+  const std::string problem = nephoscope::FindWaterFields(
     data, this->Names(), static_cast<nephoscope::WaterUnits>(this->WaterUnits), fields);
   if (!problem.empty())
   {
-    vtkErrorMacro(<< nephoscope::inBlock(this, data) << problem << this->Blocks->NorInOthers());
+    vtkErrorMacro(<< nephoscope::InBlock(this, data) << problem << this->Blocks->NorInOthers());
     return false;
   }
-  const std::vector<double> pressures = nephoscope::pressuresOf(data, fields);
+  const std::vector<double> pressures = nephoscope::PressuresOf(data, fields);
   const nephoscope::OpticalSettings settings = { this->LiquidRadiusType == CONSTANT,
     this->IceRadiusType == CONSTANT, 1e-6 * this->LiquidRadius, 1e-6 * this->IceRadius,
-    1e6 * this->DropletsOverLand, 1e6 * this->DropletsOverSea, exaggerationOf(data) };
+    1e6 * this->DropletsOverLand, 1e6 * this->DropletsOverSea, ExaggerationOf(data) };
   const OpticalArrays arrays =
-    nephoscope::computeOptics(data, fields, pressures, settings, [this](double fraction) {
+    nephoscope::ComputeOptics(data, fields, pressures, settings, [this](double fraction) {
       this->UpdateProgress(fraction);
       return !this->GetAbortExecute();
     });
@@ -124,12 +124,12 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
   {
     return false;
   }
-  addArrays(data, arrays, fields.OnCells);
+  AddArrays(data, arrays, fields.OnCells);
   if (arrays.Negative > 0)
   {
-    vtkWarningMacro(<< countOf(arrays.Negative) << " of water below 0, used as 0.");
+    vtkWarningMacro(<< CountOf(arrays.Negative) << " of water below 0, used as 0.");
   }
-  if (isInDegrees(data, fields))
+  if (IsInDegrees(data, fields))
   {
     vtkWarningMacro(
       << "The coordinates seem to be longitudes and latitudes in degrees, but Extinction is per metre: for light and pictures, put the fields "
@@ -138,7 +138,7 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
   if (arrays.Missing > 0)
   {
     vtkWarningMacro(
-      << countOf(arrays.Missing)
+      << CountOf(arrays.Missing)
       << " of water, or its pressure, missing (NaN or a fill value); there is no cloud there.");
   }
   return true;
@@ -146,14 +146,14 @@ bool vtkCloudOptics::AddOptics(vtkDataSet* data)
 
 int vtkCloudOptics::FillInputPortInformation(int, vtkInformation* info)
 {
-  nephoscope::takeAnyData(info);
+  nephoscope::TakeAnyData(info);
   return 1;
 }
 
 vtkTypeBool vtkCloudOptics::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+  return nephoscope::HasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
            { "vtkDataSet" }, "It must be a dataset.") ||
     this->Superclass::ProcessRequest(request, inputs, outputs);
 }
@@ -163,7 +163,7 @@ int vtkCloudOptics::RequestData(
 {
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
   output->ShallowCopy(vtkDataSet::GetData(inputs[0], 0));
-  if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs))
+  if (nephoscope::IsEmptyInput(this, this->ToldOfEmptiness, inputs, outputs))
   {
     return 1;
   }

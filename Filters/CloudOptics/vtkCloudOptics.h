@@ -160,8 +160,8 @@ private:
   double IceRadius = 30;
   double DropletsOverLand = 300;
   double DropletsOverSea = 100;
-  vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for isEmptyInput and ReportOnce
-  vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
+  vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for IsEmptyInput and ReportOnce
+  vtkMTimeType ToldOfInput = 0;                        // for HasOtherInput
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array
 };
 

@@ -17,18 +17,18 @@
 
 namespace nephoscope
 {
-// As hasOtherInput.
-inline bool hasNoGrid(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request,
+// As HasOtherInput.
+inline bool HasNoGrid(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return hasOtherInput(filter, told, request, inputs, outputs,
+  return HasOtherInput(filter, told, request, inputs, outputs,
     { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
     "It must be a grid with rows: an image, a rectilinear or a structured grid.");
 }
 
 inline std::string PointArrayNames(vtkDataSet* data)
 {
-  return "Point arrays: " + quotedNames(data->GetPointData()) + ".";
+  return "Point arrays: " + QuotedNames(data->GetPointData()) + ".";
 }
 
 // Why there is no such array, and what to do.
@@ -52,12 +52,12 @@ inline std::string ArrayFault(vtkDataSet* data, vtkAbstractArray* array)
 {
   if (!vtkDataArray::SafeDownCast(array) || vtkBitArray::SafeDownCast(array))
   {
-    return "The array " + quotedName(array) + " of type " + array->GetDataTypeAsString() +
+    return "The array " + QuotedName(array) + " of type " + array->GetDataTypeAsString() +
       " is not of numbers. Choose another one.";
   }
   if (array->GetNumberOfTuples() != data->GetNumberOfPoints())
   {
-    return "The array " + quotedName(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
+    return "The array " + QuotedName(array) + " has " + std::to_string(array->GetNumberOfTuples()) +
       " values for " + std::to_string(data->GetNumberOfPoints()) + " points.";
   }
   return std::string();
@@ -78,7 +78,7 @@ inline int IndexOfPointArray(vtkDataSet* data, vtkAbstractArray* array)
 
 inline std::string ValuesMissing(vtkAbstractArray* array, vtkIdType count)
 {
-  return std::to_string(count) + " values of the array " + quotedName(array) +
+  return std::to_string(count) + " values of the array " + QuotedName(array) +
     " are not finite numbers, or fill values (1e30 or more).";
 }
 }

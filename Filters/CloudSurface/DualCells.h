@@ -88,7 +88,7 @@ public:
       const Vector3 a = Tangent(corners, 0, u);
       const Vector3 b = Tangent(corners, 1, u);
       const Vector3 c = Tangent(corners, 2, u);
-      this->Determinants[node] = tripleProduct(b, c, a);
+      this->Determinants[node] = TripleProduct(b, c, a);
     }
   }
 

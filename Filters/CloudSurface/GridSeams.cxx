@@ -22,10 +22,10 @@ Vector3 PositionOf(vtkDataSet* grid, const GridTopology& topology, const GridInd
   return x;
 }
 
-double Distance(
+double DistanceOfPoints(
   vtkDataSet* grid, const GridTopology& topology, const GridIndex& a, const GridIndex& b)
 {
-  return distance(PositionOf(grid, topology, a), PositionOf(grid, topology, b));
+  return Distance(PositionOf(grid, topology, a), PositionOf(grid, topology, b));
 }
 
 // Calls function(at) for the points with index `value` of the axis, until it returns false. True if it never did.
@@ -99,8 +99,8 @@ void FindRepeatedPlaces(vtkDataSet* grid, GridTopology& topology)
       end[axis] = last;
       GridIndex next = at;
       next[axis] = 1;
-      longest = std::max(longest, Distance(grid, topology, at, next));
-      return Distance(grid, topology, at, end) <= tolerance;
+      longest = std::max(longest, DistanceOfPoints(grid, topology, at, next));
+      return DistanceOfPoints(grid, topology, at, end) <= tolerance;
     });
     if (same && longest > 10.0 * tolerance)
     {
@@ -165,7 +165,7 @@ void FindPoles(vtkDataSet* grid, GridTopology& topology)
           OnFace(topology, across, atEnd ? last : 0, [&](GridIndex at) {
             GridIndex first = at;
             first[along] = 0;
-            return Distance(grid, topology, first, at) <= tolerance;
+            return DistanceOfPoints(grid, topology, first, at) <= tolerance;
           });
         if (onePlace)
         {
@@ -189,9 +189,9 @@ bool ClosesInSpace(vtkDataSet* grid, const GridTopology& topology, int axis)
     GridIndex next = at;
     for (next[axis] = 1; next[axis] <= last; ++next[axis], ++previous[axis])
     {
-      longest = std::max(longest, Distance(grid, topology, previous, next));
+      longest = std::max(longest, DistanceOfPoints(grid, topology, previous, next));
     }
-    return Distance(grid, topology, at, previous) <= 2.0 * longest;
+    return DistanceOfPoints(grid, topology, at, previous) <= 2.0 * longest;
   });
 }
 }

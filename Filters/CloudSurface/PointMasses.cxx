@@ -13,7 +13,7 @@ Vector3 AnyNormal(const Vector3& a)
 {
   const Vector3 axis =
     std::abs(a[0]) <= std::abs(a[1]) ? Vector3{ { 1.0, 0.0, 0.0 } } : Vector3{ { 0.0, 1.0, 0.0 } };
-  return normalized(cross(a, axis));
+  return Normalized(Cross(a, axis));
 }
 
 // Gives the axes of a cell that have one point only the thickness 1, at right angles to the others.
@@ -30,10 +30,10 @@ void ThickenFlatAxes(const std::array<bool, 3>& flat, std::array<Vector3, 8>& co
     // Diagonals, so that a face with a side that is one point has a normal too.
     const Vector3 one = corners[b | c] - corners[0];
     const Vector3 two = corners[c] - corners[b];
-    Vector3 normal = normalized(cross(one, two));
-    if (!(norm(normal) > 0.0))
+    Vector3 normal = Normalized(Cross(one, two));
+    if (!(Norm(normal) > 0.0))
     {
-      normal = AnyNormal(norm(one) > 0.0 ? one : two);
+      normal = AnyNormal(Norm(one) > 0.0 ? one : two);
     }
     for (int corner = 0; corner < 8; ++corner)
     {

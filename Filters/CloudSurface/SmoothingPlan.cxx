@@ -264,7 +264,7 @@ double SmoothingPlan::StepLength(int axis, const GridIndex& at, int step) const
   {
     d[0] = std::remainder(d[0], 360.0) * std::cos(this->Position(at)[1] * radiansPerDegree);
   }
-  return norm(d);
+  return Norm(d);
 }
 
 void SmoothingPlan::FindRowRatios()

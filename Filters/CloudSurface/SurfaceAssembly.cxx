@@ -372,7 +372,7 @@ bool SurfaceAssembly::FacesInwards(vtkDataArray* normals, vtkPoints* points) con
       points->GetPoint(this->Triangles[t + c], corners[c].data());
     }
     normals->GetTuple(this->Triangles[t], normal.data());
-    const double facing = dot(normal, cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const double facing = Dot(normal, Cross(corners[1] - corners[0], corners[2] - corners[0]));
     votes += facing > 0.0 ? 1 : facing < 0.0 ? -1 : 0;
   }
   return votes < 0;

@@ -22,13 +22,13 @@ Vector3 Solve(const double m[3][3], const Vector3& right)
   const Vector3 a = { { m[0][0], m[0][1], m[0][2] } };
   const Vector3 b = { { m[1][0], m[1][1], m[1][2] } };
   const Vector3 c = { { m[2][0], m[2][1], m[2][2] } };
-  const double determinant = dot(a, cross(b, c));
-  if (!(std::abs(determinant) > flat * norm(a) * norm(b) * norm(c)))
+  const double determinant = Dot(a, Cross(b, c));
+  if (!(std::abs(determinant) > flat * Norm(a) * Norm(b) * Norm(c)))
   {
     return { { 0.0, 0.0, 0.0 } };
   }
   return (1.0 / determinant) *
-    (right[0] * cross(b, c) + right[1] * cross(c, a) + right[2] * cross(a, b));
+    (right[0] * Cross(b, c) + right[1] * Cross(c, a) + right[2] * Cross(a, b));
 }
 }
 
@@ -43,7 +43,7 @@ FieldGradient::Neighbor FieldGradient::Look(int axis, const GridIndex& from, int
     return found;
   }
   found.Away = this->Plan.Displacement(axis, from, step);
-  found.Distance = norm(found.Away);
+  found.Distance = Norm(found.Away);
   found.Rise = this->Field[id] - this->Field[this->Plan.Topology().Id(from)];
   found.IsThere = found.Distance > 0.0;
   return found;
@@ -98,7 +98,7 @@ Vector3 FieldGradient::At(const GridIndex& at) const
       !slopes[axis]
          .HasValue) // nothing is known along this axis: as if nothing changed at right angles to the others
     {
-      slopes[axis].Tangent = cross(slopes[(axis + 1) % 3].Tangent, slopes[(axis + 2) % 3].Tangent);
+      slopes[axis].Tangent = Cross(slopes[(axis + 1) % 3].Tangent, slopes[(axis + 2) % 3].Tangent);
     }
   }
   const double rows[3][3] = { { slopes[0].Tangent[0], slopes[0].Tangent[1], slopes[0].Tangent[2] },
@@ -169,8 +169,8 @@ Vector3 FieldGradient::TurnedToEdge(
     {
       const Vector3 along = (1.0 / end.Distance) * end.Away;
       const double slope = end.Rise / end.Distance;
-      const double found = dot(gradient, along);
-      const bool opposed = found * slope <= 0.0 && std::abs(slope - found) > 0.5 * norm(gradient);
+      const double found = Dot(gradient, along);
+      const bool opposed = found * slope <= 0.0 && std::abs(slope - found) > 0.5 * Norm(gradient);
       return opposed ? gradient + (slope - found) * along : gradient;
     }
   }
@@ -182,11 +182,11 @@ Vector3 FieldGradient::Outward(const GridIndex& a, const GridIndex& b, double sh
   const Vector3 gradient =
     a == b ? this->At(a) : this->TurnedToEdge(Blend(this->At(a), this->At(b), share), a, b);
   Vector3 outward = -1.0 * gradient;
-  double length = norm(outward);
+  double length = Norm(outward);
   if (!(length > 0.0) || !std::isfinite(length))
   {
     outward = this->SteepestStep(a);
-    length = norm(outward);
+    length = Norm(outward);
   }
   return length > 0.0 ? (1.0 / length) * outward : Vector3{ { 0.0, 0.0, 1.0 } };
 }

@@ -106,14 +106,14 @@ vtkMTimeType vtkCloudSurface::GetMTime()
 
 int vtkCloudSurface::FillInputPortInformation(int, vtkInformation* info)
 {
-  nephoscope::takeAnyData(info);
+  nephoscope::TakeAnyData(info);
   return 1;
 }
 
 vtkTypeBool vtkCloudSurface::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return nephoscope::hasNoGrid(this, this->ToldOfInput, request, inputs, outputs) ||
+  return nephoscope::HasNoGrid(this, this->ToldOfInput, request, inputs, outputs) ||
     this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
@@ -143,7 +143,7 @@ int vtkCloudSurface::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs, 0);
   nephoscope::SmoothingPlan plan;
   std::string error;
-  nephoscope::withThreads([&]() { error = plan.Read(input, this->Smoothing->GetSettings()); });
+  nephoscope::WithThreads([&]() { error = plan.Read(input, this->Smoothing->GetSettings()); });
   if (!error.empty())
   {
     vtkErrorMacro(<< error);
@@ -171,7 +171,7 @@ int vtkCloudSurface::RequestData(
     return 1;
   }
   bool finished = false;
-  nephoscope::withThreads([&]() {
+  nephoscope::WithThreads([&]() {
     finished = this->BuildSurface(input, plan, scalars, outputs->GetInformationObject(0), output);
   });
   if (!finished)
@@ -267,7 +267,7 @@ std::string vtkCloudSurface::ReasonOfEmptiness(vtkDataArray* scalars,
     low = value < low ? value : low; // both false for what is not a number
     high = value > high ? value : high;
   }
-  const std::string array = nephoscope::quotedName(scalars) +
+  const std::string array = nephoscope::QuotedName(scalars) +
     (this->GetNumberOfSmoothingIterations() > 0 ? " after smoothing" : "");
   if (!IsFirstPiece(outInfo))
   {
@@ -356,7 +356,7 @@ vtkDataArray* vtkCloudSurface::FindScalars(vtkDataSet* input, vtkInformationVect
   if (found->GetNumberOfComponents() != 1)
   {
     vtkErrorMacro("The array "
-      << nephoscope::quotedName(found) << " has " << found->GetNumberOfComponents()
+      << nephoscope::QuotedName(found) << " has " << found->GetNumberOfComponents()
       << " components; one number at each point is needed. Make an array of a component or of the "
          "magnitude first (Calculator).");
     return nullptr;

@@ -205,7 +205,7 @@ private:
   int ExecutionDepth = 0;
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks;     // some may lack the array
   std::unique_ptr<nephoscope::BlockNeighbours> Neighbours; // while a group is executed
-  vtkMTimeType ToldOfInput = 0;                            // for hasOtherInput
+  vtkMTimeType ToldOfInput = 0;                            // for HasOtherInput
 };
 
 #endif

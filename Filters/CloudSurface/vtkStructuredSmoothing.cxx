@@ -179,14 +179,14 @@ nephoscope::SmoothingSettings vtkStructuredSmoothing::GetSettings() const
 
 int vtkStructuredSmoothing::FillInputPortInformation(int, vtkInformation* info)
 {
-  nephoscope::takeAnyData(info);
+  nephoscope::TakeAnyData(info);
   return 1;
 }
 
 vtkTypeBool vtkStructuredSmoothing::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return nephoscope::hasNoGrid(this, this->ToldOfInput, request, inputs, outputs) ||
+  return nephoscope::HasNoGrid(this, this->ToldOfInput, request, inputs, outputs) ||
     this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
@@ -222,7 +222,7 @@ int vtkStructuredSmoothing::RequestData(
   nephoscope::ReportOnce report(this, this->Failed);
   nephoscope::SmoothingPlan plan;
   std::string error;
-  nephoscope::withThreads([&]() { error = plan.Read(input, this->GetSettings()); });
+  nephoscope::WithThreads([&]() { error = plan.Read(input, this->GetSettings()); });
   std::vector<int> arrays;
   if (!error.empty())
   {
@@ -245,7 +245,7 @@ int vtkStructuredSmoothing::RequestData(
   report.End(true);
   output->ShallowCopy(block);
   bool finished = false;
-  nephoscope::withThreads(
+  nephoscope::WithThreads(
     [&]() { finished = this->SmoothArrays(block, input, plan, arrays, output); });
   if (!finished)
   {

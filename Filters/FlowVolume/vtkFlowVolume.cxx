@@ -53,7 +53,7 @@ vtkCxxSetObjectMacro(vtkFlowVolume, Controller, vtkMultiProcessController);
 namespace
 {
 // There is no flow anywhere in the data of this process.
-bool isStill(const nephoscope::FlowField& field)
+bool IsStill(const nephoscope::FlowField& field)
 {
   const auto sets = nephoscope::DataSetsOf(field.Data);
   return std::all_of(sets.begin(), sets.end(), [&](vtkDataSet* set) {
@@ -131,7 +131,7 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
   if (!exchange.AnyTrue(!sets.empty()))
   {
     vtkErrorMacro("The input has no cells, so there is no flow. Connect a dataset with cells."
-      << nephoscope::remedyFor(input));
+      << nephoscope::RemedyFor(input));
     return nullptr;
   }
   nephoscope::VelocityArray velocity;
@@ -223,7 +223,7 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
   {
     return false;
   }
-  if (!(nephoscope::norm(regular.Normal) > 0.0))
+  if (!(nephoscope::Norm(regular.Normal) > 0.0))
   {
     vtkErrorMacro("Normal is (0, 0, 0): give the polygon a direction, or switch NormalToFlow on.");
     return false;
@@ -241,7 +241,7 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
 
 void vtkFlowVolume::ReportZeroVelocity(const nephoscope::FlowField& field, const std::string& where)
 {
-  const bool everywhere = this->Exchange().AllTrue(isStill(field));
+  const bool everywhere = this->Exchange().AllTrue(IsStill(field));
   const char* throughout = this->HasTimeSteps()
     ? "everywhere at the first time: choose a later StartTime, or switch NormalToFlow off."
     : "everywhere, so no smoke moves. Choose another array of velocities, or another time.";
@@ -264,8 +264,8 @@ bool vtkFlowVolume::FindDirection(const nephoscope::FlowField& field,
       "The generating polygon cannot be turned normal to the flow at its centre. " << why);
     return false;
   }
-  direction = nephoscope::normalized(found);
-  if (!(nephoscope::norm(direction) > 0.0))
+  direction = nephoscope::Normalized(found);
+  if (!(nephoscope::Norm(direction) > 0.0))
   {
     std::ostringstream where;
     where << "at the centre of the generating polygon, (" << center[0] << ", " << center[1] << ", "
@@ -401,7 +401,7 @@ void vtkFlowVolume::WriteOutput(nephoscope::SmokeMesh& mesh,
   this->WriteMasses(output);
   if (this->Unsteady)
   {
-    nephoscope::putInitialDensity(output, this->InitialDensity);
+    nephoscope::PutInitialDensity(output, this->InitialDensity);
   }
   this->UpdateProgress(1.0);
 }

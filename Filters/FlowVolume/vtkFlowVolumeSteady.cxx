@@ -29,7 +29,7 @@
 namespace
 {
 // A sentence for the air of a whole globe whose heights are hardly exaggerated: it is thinner than any smoke that can be seen.
-std::string remedyForThinAir(vtkDataObject* data)
+std::string RemedyForThinAir(vtkDataObject* data)
 {
   constexpr double little = 10.0;
   const std::vector<vtkDataSet*> sets = nephoscope::DataSetsOf(data);
@@ -110,7 +110,7 @@ double vtkFlowVolume::FindCrossingTime(
   constexpr double most = 4.0;
   nephoscope::CrossingTime& kept = this->State->Crossing;
   const nephoscope::CrossingTime now = { field.Diagonal / flow.MeanSpeed,
-    nephoscope::changeOfPipeline(this) };
+    nephoscope::ChangeOfPipeline(this) };
   if (this->Exchange().AnyTrue(now.Change != kept.Change || now.Seconds > most * kept.Seconds ||
         kept.Seconds > most * now.Seconds))
   {
@@ -266,7 +266,7 @@ void vtkFlowVolume::WarnOfLeaving(
     << " %, leaves the data at once, so that little of it is seen: it extends over "
     << std::round(100.0 * box.GetDiagonalLength() / field.Diagonal)
     << " % of the diagonal of the data. Move the generating polygon (Center) upstream, or to where the flow goes far before it leaves the data."
-    << remedyForThinAir(field.Data));
+    << RemedyForThinAir(field.Data));
 }
 
 void vtkFlowVolume::WarnOfLimit()

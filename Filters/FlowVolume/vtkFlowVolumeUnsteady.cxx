@@ -153,7 +153,7 @@ void vtkFlowVolume::PlanReading(vtkInformation* output)
   }
   state.Requested =
     output->Has(SDDP::UPDATE_TIME_STEP()) ? output->Get(SDDP::UPDATE_TIME_STEP()) : times.back();
-  const vtkMTimeType newest = nephoscope::changeOfPipeline(this);
+  const vtkMTimeType newest = nephoscope::ChangeOfPipeline(this);
   const double seconds = this->RequestedSeconds();
   const bool isPast = streak.Volume && streak.Volume->IsAfter(seconds);
   if (!streak.Second || streak.MTime != newest || isPast)

@@ -113,7 +113,7 @@ vtkIdType Fill(vtkDoubleArray* out, const Numbers& ages, const Densities& densit
 {
   double* values = out->GetPointer(0);
   std::atomic<vtkIdType> bad{ 0 };
-  nephoscope::inParallel(out->GetNumberOfTuples(), [&](vtkIdType first, vtkIdType last) {
+  nephoscope::InParallel(out->GetNumberOfTuples(), [&](vtkIdType first, vtkIdType last) {
     vtkIdType badHere = 0;
     for (vtkIdType i = first; i < last; ++i)
     {
@@ -182,14 +182,14 @@ vtkSmokePuffs::~vtkSmokePuffs() = default;
 
 int vtkSmokePuffs::FillInputPortInformation(int, vtkInformation* info)
 {
-  nephoscope::takeAnyData(info);
+  nephoscope::TakeAnyData(info);
   return 1;
 }
 
 vtkTypeBool vtkSmokePuffs::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+  if (nephoscope::HasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
         { "vtkUnstructuredGrid" }, "Puffs are made of smoke. Connect a flow volume."))
   {
     return 1;
@@ -260,7 +260,7 @@ int vtkSmokePuffs::RequestData(
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs);
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   output->ShallowCopy(input);
-  nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs);
+  nephoscope::IsEmptyInput(this, this->ToldOfEmptiness, inputs, outputs);
   double time = this->Time;
   if (outInfo->Has(SDDP::UPDATE_TIME_STEP()))
   {
@@ -295,16 +295,17 @@ int vtkSmokePuffs::RequestData(
 // Found once for all time steps of a series: puffs of another period would be elsewhere. Unsteady smoke grows until it is as old as the series is long.
 double vtkSmokePuffs::FindPeriod(vtkUnstructuredGrid* smoke, vtkInformation* inInfo)
 {
-  const vtkMTimeType change = nephoscope::changeOfInput(this);
-  const double oldest = nephoscope::maximumOfRanks(OldestAge(smoke));
-  const double step = nephoscope::maximumOfRanks(TimeStepOf(smoke));
-  if (nephoscope::maximumOfRanks(change != this->Change || this->FoundAge == 0.0 ? 1.0 : 0.0) > 0.0)
+  const vtkMTimeType change = nephoscope::ChangeOfInput(this);
+  const double oldest = nephoscope::MaximumOverRanks(OldestAge(smoke));
+  const double step = nephoscope::MaximumOverRanks(TimeStepOf(smoke));
+  if (nephoscope::MaximumOverRanks(change != this->Change || this->FoundAge == 0.0 ? 1.0 : 0.0) >
+    0.0)
   {
     this->Change = change;
     this->FoundAge = oldest;
     this->FoundStep = step;
   }
-  const bool grows = nephoscope::maximumOfRanks(nephoscope::initialSmokeDensity(smoke)) > 0.0;
+  const bool grows = nephoscope::MaximumOverRanks(nephoscope::InitialSmokeDensity(smoke)) > 0.0;
   const double whole = grows ? InputTime(inInfo).Length * this->TimeScale : 0.0;
   return AutomaticPeriod(std::max(this->FoundAge, whole), this->FoundStep, this->Width);
 }
@@ -312,7 +313,7 @@ double vtkSmokePuffs::FindPeriod(vtkUnstructuredGrid* smoke, vtkInformation* inI
 void vtkSmokePuffs::WarnOfShortPuffs(vtkUnstructuredGrid* smoke, const nephoscope::PuffPulse& pulse)
 {
   const double step =
-    nephoscope::maximumOfRanks(TimeStepOf(smoke)); // on every rank, also without cells
+    nephoscope::MaximumOverRanks(TimeStepOf(smoke)); // on every rank, also without cells
   const double longEnough = 2.0 * step / pulse.Width;
   const bool isTold =
     this->ToldPeriodAndStep[0] == pulse.Period && this->ToldPeriodAndStep[1] == step;

@@ -175,7 +175,7 @@ private:
   double FoundStep = 0.0;                     // time between two layers of smoke, s
   double ToldPeriodAndStep[2] = { 0.0, 0.0 }; // for WarnOfShortPuffs
 
-  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
+  vtkMTimeType ToldOfInput = 0; // for HasOtherInput
   vtkMTimeType ToldOfEmptiness = 0;
 };
 

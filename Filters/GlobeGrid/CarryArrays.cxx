@@ -64,7 +64,7 @@ void CarryArrays(
     };
     if (vtkDataArray::SafeDownCast(from) && !vtkBitArray::SafeDownCast(from))
     {
-      inParallel(count, copy);
+      InParallel(count, copy);
     }
     else
     {

@@ -28,7 +28,7 @@ struct FillValue
 };
 
 // The least value of an array, if it is a fill value. All others must be positive or 0, or much smaller in size.
-FillValue fillValueOf(vtkDataArray* array)
+FillValue FillValueOf(vtkDataArray* array)
 {
   double range[2];
   array->GetFiniteRange(range, 0);
@@ -74,7 +74,7 @@ std::string DescribeFillValues(vtkDataSet* data)
       {
         continue;
       }
-      const FillValue found = fillValueOf(array);
+      const FillValue found = FillValueOf(array);
       if (found.Count > 0)
       {
         text << (text.tellp() > 0 ? ", " : "") << found.Count << " values of '" << array->GetName()

@@ -86,7 +86,7 @@ inline Vector3 MapPosition(const Planet& planet, double longitude, double latitu
 inline Vector3 GlobeDisplayVelocity(
   const Planet& planet, const Basis& basis, double height, const Vector3& wind)
 {
-  const double w = dot(wind, basis.up);
+  const double w = Dot(wind, basis.up);
   const double ratio = (planet.radius + planet.exaggeration * height) / (planet.radius + height);
   Vector3 velocity;
   for (int c = 0; c < 3; ++c)

@@ -46,7 +46,7 @@ void ForEachRow(const int extent[6], const Function& function)
         extent[4] + static_cast<int>(r / rows), r * columns });
     }
   };
-  inParallel(rows * levels, work);
+  InParallel(rows * levels, work);
 }
 
 template <typename Array>

@@ -56,7 +56,7 @@ void GlobeGridBuilder::AddWinds(const int extent[6], vtkStructuredGrid* output)
       Vector3 velocity;
       if (this->Settings.OnMap)
       {
-        wind = { dot(wind, basis.east), dot(wind, basis.north), dot(wind, basis.up) };
+        wind = { Dot(wind, basis.east), Dot(wind, basis.north), Dot(wind, basis.up) };
         velocity = geodesy::MapDisplayVelocity(this->Settings.Planet,
           std::cos(x[1] * geodesy::RADIANS_PER_DEGREE), height, wind[0], wind[1], wind[2]);
       }
@@ -131,7 +131,7 @@ void GlobeGridBuilder::WritePoleWind(
   {
     if (auto* carried = output->GetPointData()->GetArray(names[c]->c_str()))
     {
-      carried->SetComponent(id, 0, dot(wind, *directions[c]));
+      carried->SetComponent(id, 0, Dot(wind, *directions[c]));
     }
   }
 }

@@ -343,7 +343,7 @@ vtkDataArray* LonLatLevelGrid::Array(const std::string& name) const
 
 std::string LonLatLevelGrid::ArrayNames() const
 {
-  return arrayNames(this->OnPoints);
+  return NamesOfArrays(this->OnPoints);
 }
 
 bool DataAreOnCells(vtkDataSet* grid, const std::vector<std::string>& names)

@@ -44,14 +44,14 @@ struct Rows
   {
     const Vector3 first = this->Point(0, j);
     const Vector3 middle = this->Point(this->Columns / 2, j);
-    return this->Columns > 2 && distance(first, middle) <= 1e-6 * norm(first);
+    return this->Columns > 2 && Distance(first, middle) <= 1e-6 * Norm(first);
   }
 
   bool Closes(int j) const
   {
     const Vector3 first = this->Point(0, j);
     const Vector3 last = this->Point(this->Columns - 1, j);
-    return this->Columns > 3 && distance(first, last) <= 1e-6 * norm(first);
+    return this->Columns > 3 && Distance(first, last) <= 1e-6 * Norm(first);
   }
 
   vtkPoints* Points;
@@ -81,7 +81,7 @@ Vector3 NormalAt(const Rows& rows, int i, int j, bool closes)
   const Vector3 along = rows.Point(after, j) - rows.Point(before, j);
   const Vector3 across =
     rows.Point(i, std::min(j + 1, rows.Count - 1)) - rows.Point(i, std::max(j - 1, 0));
-  return normalized(cross(along, across));
+  return Normalized(Cross(along, across));
 }
 
 // Degrees.
@@ -107,7 +107,7 @@ void FlattenSea(vtkStructuredGrid* terrain, vtkDataArray* land, const TerrainPla
     }
     Vector3 x;
     points->GetPoint(id, x.data());
-    const double radius = norm(x);
+    const double radius = Norm(x);
     x = place.OnGlobe ? Vector3{ x[0] * (place.Radius / radius), x[1] * (place.Radius / radius),
       x[2] * (place.Radius / radius) }
                       : Vector3{ x[0], x[1], 0.0 };

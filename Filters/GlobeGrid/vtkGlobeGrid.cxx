@@ -130,7 +130,7 @@ vtkDataSet* PeekAtRows(
   vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last)
 {
   auto* block = vtkDataSet::SafeDownCast(vtkDataObject::GetData(inInfo));
-  if (nephoscope::isOfBlocks(producer, port) && block && block->GetNumberOfPoints() > 0)
+  if (nephoscope::IsOfBlocks(producer, port) && block && block->GetNumberOfPoints() > 0)
   {
     return block; // it is there already
   }
@@ -206,7 +206,7 @@ int vtkGlobeGrid::FillInputPortInformation(int port, vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 1 ? 1 : 0);
   if (port == 0)
   {
-    nephoscope::takeAnyData(info);
+    nephoscope::TakeAnyData(info);
   }
   return 1;
 }
@@ -214,7 +214,7 @@ int vtkGlobeGrid::FillInputPortInformation(int port, vtkInformation* info)
 vtkTypeBool vtkGlobeGrid::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+  return nephoscope::HasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
            { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" },
            "It must be a grid of longitudes, latitudes and levels: an image, a rectilinear or a structured grid.") ||
     this->Superclass::ProcessRequest(request, inputs, outputs);
@@ -300,7 +300,7 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
   }
   if (!ReadGrid(input, FieldNames(settings), grid, error))
   {
-    vtkErrorMacro(<< nephoscope::inBlock(this, input) << error);
+    vtkErrorMacro(<< nephoscope::InBlock(this, input) << error);
     return false;
   }
   vtkDataSet* surfaceData =
@@ -316,7 +316,7 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
   error = builder.Plan(input->GetFieldData(), hasSurface ? &surface : nullptr);
   if (!error.empty())
   {
-    vtkErrorMacro(<< nephoscope::inBlock(this, input) << error);
+    vtkErrorMacro(<< nephoscope::InBlock(this, input) << error);
     return false;
   }
   if (this->BuildPiece(
@@ -324,12 +324,12 @@ bool vtkGlobeGrid::MakeGrid(vtkInformationVector** inputs, vtkInformationVector*
   {
     for (const std::string& warning : builder.Warnings())
     {
-      vtkWarningMacro(<< nephoscope::inBlock(this, input) << warning);
+      vtkWarningMacro(<< nephoscope::InBlock(this, input) << warning);
     }
     const std::string fillValues = nephoscope::DescribeFillValues(input);
     if (!fillValues.empty())
     {
-      vtkWarningMacro(<< nephoscope::inBlock(this, input) << fillValues);
+      vtkWarningMacro(<< nephoscope::InBlock(this, input) << fillValues);
     }
   }
   return true;

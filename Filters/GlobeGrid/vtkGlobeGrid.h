@@ -311,7 +311,7 @@ private:
   std::string SurfacePressureArrayName = "sp";
   std::string TerrainHeightArrayName = "orog";
   vtkMTimeType Failed = 0;      // for ReportOnce
-  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
+  vtkMTimeType ToldOfInput = 0; // for HasOtherInput
 };
 
 #endif

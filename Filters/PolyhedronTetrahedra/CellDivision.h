@@ -32,13 +32,13 @@ struct TriangulatedSurface
 };
 
 /** Six times the volume that outward triangles enclose. */
-inline double sixVolumesInside(const TriangulatedSurface& surface)
+inline double SixVolumesInside(const TriangulatedSurface& surface)
 {
   double sum = 0;
   const Vector3& origin = surface.Surface->Position(0);
   for (const Triangle& t : surface.Triangles)
   {
-    sum += sixVolumes(origin, surface.Surface->Position(t[0]), surface.Surface->Position(t[1]),
+    sum += SixVolumes(origin, surface.Surface->Position(t[0]), surface.Surface->Position(t[1]),
       surface.Surface->Position(t[2]));
   }
   return sum;
@@ -48,7 +48,7 @@ inline double sixVolumesInside(const TriangulatedSurface& surface)
  * Whether tetrahedra fill exactly the volume enclosed by the surface: none is inverted, their unshared faces are the
  * triangles of the surface, and the volumes add up. For what comes from a program that is not ours.
  */
-inline bool fillsSurface(const CellDivision& division, const TriangulatedSurface& surface)
+inline bool FillsSurface(const CellDivision& division, const TriangulatedSurface& surface)
 {
   const double unit = surface.Surface->Size() * surface.Surface->Size() * surface.Surface->Size();
   const int old = surface.Surface->NumberOfVertices();
@@ -64,7 +64,7 @@ inline bool fillsSurface(const CellDivision& division, const TriangulatedSurface
   double sum = 0;
   for (const std::array<int, 4>& t : division.Tetrahedra)
   {
-    const double six = sixVolumes(position(t[0]), position(t[1]), position(t[2]), position(t[3]));
+    const double six = SixVolumes(position(t[0]), position(t[1]), position(t[2]), position(t[3]));
     if (!(six > -1e-14 * unit))
     {
       return false;
@@ -88,7 +88,7 @@ inline bool fillsSurface(const CellDivision& division, const TriangulatedSurface
       return false;
     }
   }
-  return open.empty() && std::abs(sum - sixVolumesInside(surface)) <= 1e-11 * unit;
+  return open.empty() && std::abs(sum - SixVolumesInside(surface)) <= 1e-11 * unit;
 }
 
 } // namespace nephoscope

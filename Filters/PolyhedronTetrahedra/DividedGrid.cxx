@@ -19,7 +19,7 @@ namespace nephoscope
 {
 namespace
 {
-vtkSmartPointer<vtkPoints> withNewPoints(
+vtkSmartPointer<vtkPoints> WithNewPoints(
   vtkPoints* old, const CellDivisions& divisions, vtkIdType added)
 {
   if (added == 0)
@@ -100,7 +100,7 @@ private:
   vtkNew<vtkIdList> Ids;
 };
 
-void carryCellArrays(vtkCellData* input, vtkIdList* parents, vtkCellData* output)
+void CarryCellArrays(vtkCellData* input, vtkIdList* parents, vtkCellData* output)
 {
   output->CopyGlobalIdsOff();
   output->CopyAllocate(input, parents->GetNumberOfIds());
@@ -125,7 +125,7 @@ enum class ArrayKind
   Ids
 };
 
-ArrayKind kindOf(vtkPointData* data, int index)
+ArrayKind KindOf(vtkPointData* data, int index)
 {
   const char* name = data->GetArrayName(index);
   const int attribute = data->IsArrayAnAttribute(index);
@@ -139,7 +139,7 @@ ArrayKind kindOf(vtkPointData* data, int index)
     : ArrayKind::Field;
 }
 
-void interpolate(
+void Interpolate(
   vtkAbstractArray* from, const CellDivisions& divisions, vtkIdType next, vtkAbstractArray* to)
 {
   vtkNew<vtkIdList> ids;
@@ -164,13 +164,13 @@ void interpolate(
   }
 }
 
-void carryPointArrays(vtkPointData* input, const CellDivisions& divisions, vtkIdType old,
+void CarryPointArrays(vtkPointData* input, const CellDivisions& divisions, vtkIdType old,
   vtkIdType added, vtkPointData* output)
 {
   for (int a = 0; a < input->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* from = input->GetAbstractArray(a);
-    const ArrayKind kind = kindOf(input, a);
+    const ArrayKind kind = KindOf(input, a);
     auto to = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());
     to->SetName(from->GetName());
     to->SetNumberOfComponents(from->GetNumberOfComponents());
@@ -180,7 +180,7 @@ void carryPointArrays(vtkPointData* input, const CellDivisions& divisions, vtkId
     auto numbers = vtkDataArray::SafeDownCast(to);
     if (kind == ArrayKind::Field || !numbers)
     {
-      interpolate(from, divisions, old, to);
+      Interpolate(from, divisions, old, to);
     }
     for (vtkIdType i = old; kind != ArrayKind::Field && numbers && i < old + added; ++i)
     {
@@ -199,7 +199,7 @@ void carryPointArrays(vtkPointData* input, const CellDivisions& divisions, vtkId
 }
 }
 
-vtkIdType buildDividedGrid(
+vtkIdType BuildDividedGrid(
   vtkUnstructuredGrid* input, const CellDivisions& divisions, vtkUnstructuredGrid* output)
 {
   vtkIdType added = 0, cells = 0;
@@ -209,7 +209,7 @@ vtkIdType buildDividedGrid(
     cells += division ? static_cast<vtkIdType>(division->Tetrahedra.size()) : 1;
   }
   output->Initialize();
-  output->SetPoints(withNewPoints(input->GetPoints(), divisions, added));
+  output->SetPoints(WithNewPoints(input->GetPoints(), divisions, added));
   output->Allocate(cells);
   vtkNew<vtkIdList> parents;
   parents->Allocate(cells);
@@ -218,14 +218,14 @@ vtkIdType buildDividedGrid(
   {
     writer.Write(cell, divisions[static_cast<std::size_t>(cell)].get());
   }
-  carryCellArrays(input->GetCellData(), parents, output->GetCellData());
+  CarryCellArrays(input->GetCellData(), parents, output->GetCellData());
   if (added == 0)
   {
     output->GetPointData()->ShallowCopy(input->GetPointData());
   }
   else
   {
-    carryPointArrays(
+    CarryPointArrays(
       input->GetPointData(), divisions, input->GetNumberOfPoints(), added, output->GetPointData());
   }
   output->GetFieldData()->ShallowCopy(input->GetFieldData());

@@ -28,7 +28,7 @@ using CellDivisions = std::vector<std::unique_ptr<CellDivision>>;
  *   not numbers take the value of the point with the largest weight. Ghost flags of new points are 0; global and pedigree
  *   ids of new points are -1, and become plain arrays if there are any.
  */
-vtkIdType buildDividedGrid(
+vtkIdType BuildDividedGrid(
   vtkUnstructuredGrid* input, const CellDivisions& divisions, vtkUnstructuredGrid* output);
 
 } // namespace nephoscope

@@ -101,17 +101,17 @@ private:
     Vector3 normal{ { 0, 0, 0 } };
     for (std::size_t k = 0; k < n; ++k)
     {
-      relative[k] = difference(position(this->Cycle[k]), position(this->Cycle[0]));
+      relative[k] = Difference(position(this->Cycle[k]), position(this->Cycle[0]));
     }
     for (std::size_t k = 0; k < n; ++k)
     {
-      const Vector3 twice = cross(relative[k], relative[(k + 1) % n]);
+      const Vector3 twice = Cross(relative[k], relative[(k + 1) % n]);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
         normal[axis] += twice[axis];
       }
     }
-    this->TwiceArea = std::sqrt(dot(normal, normal));
+    this->TwiceArea = std::sqrt(Dot(normal, normal));
     if (!(this->TwiceArea > 0))
     {
       return false;
@@ -124,20 +124,20 @@ private:
     }
     Vector3 unit{ { 0, 0, 0 } };
     unit[smallest] = 1;
-    Vector3 u = cross(unit, normal);
-    const double length = std::sqrt(dot(u, u));
+    Vector3 u = Cross(unit, normal);
+    const double length = std::sqrt(Dot(u, u));
     u = { { u[0] / length, u[1] / length, u[2] / length } };
-    const Vector3 across = cross(normal, u);
+    const Vector3 across = Cross(normal, u);
     const Vector3 v{ { across[0] / this->TwiceArea, across[1] / this->TwiceArea,
       across[2] / this->TwiceArea } };
     this->Places.resize(n);
     double low = 0, high = 0; // above the first vertex
     for (std::size_t k = 0; k < n; ++k)
     {
-      const double height = dot(relative[k], normal) / this->TwiceArea;
+      const double height = Dot(relative[k], normal) / this->TwiceArea;
       low = std::min(low, height);
       high = std::max(high, height);
-      this->Places[k] = { { dot(relative[k], u), dot(relative[k], v) } };
+      this->Places[k] = { { Dot(relative[k], u), Dot(relative[k], v) } };
     }
     this->Warp = high - low;
     return true;
@@ -187,9 +187,9 @@ private:
 
   double AreaInSpace(std::size_t a, std::size_t b, std::size_t c) const
   {
-    const Vector3 twice = cross(difference(this->Relative[b], this->Relative[a]),
-      difference(this->Relative[c], this->Relative[a]));
-    return std::sqrt(dot(twice, twice));
+    const Vector3 twice = Cross(Difference(this->Relative[b], this->Relative[a]),
+      Difference(this->Relative[c], this->Relative[a]));
+    return std::sqrt(Dot(twice, twice));
   }
 
   // Twice the area of three corners of the cycle, positive where they run as the face does.

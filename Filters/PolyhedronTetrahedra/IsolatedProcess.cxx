@@ -18,7 +18,7 @@ namespace nephoscope
 {
 namespace
 {
-bool writeAll(int file, const char* bytes, std::size_t size)
+bool WriteAll(int file, const char* bytes, std::size_t size)
 {
   while (size > 0)
   {
@@ -34,7 +34,7 @@ bool writeAll(int file, const char* bytes, std::size_t size)
 }
 
 // The host's handlers would print a trace, ask the user, or write a report.
-void becomeQuiet()
+void BecomeQuiet()
 {
   for (const int signal : { SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGINT, SIGTERM, SIGPIPE })
   {
@@ -47,16 +47,16 @@ void becomeQuiet()
   dup2(nowhere, STDERR_FILENO);
 }
 
-[[noreturn]] void serve(
+[[noreturn]] void Serve(
   int file, int first, int count, const std::function<std::vector<char>(int)>& work)
 {
-  becomeQuiet();
+  BecomeQuiet();
   for (int i = first; i < count; ++i)
   {
     const std::vector<char> bytes = work(i);
     const std::uint64_t size = bytes.size();
-    if (!writeAll(file, reinterpret_cast<const char*>(&size), sizeof size) ||
-      !writeAll(file, bytes.data(), bytes.size()))
+    if (!WriteAll(file, reinterpret_cast<const char*>(&size), sizeof size) ||
+      !WriteAll(file, bytes.data(), bytes.size()))
     {
       break;
     }
@@ -136,7 +136,7 @@ private:
   Clock::time_point Deadline;
 };
 
-std::string ending(pid_t child)
+std::string Ending(pid_t child)
 {
   int status = 0;
   pid_t ended = 0;
@@ -149,7 +149,7 @@ std::string ending(pid_t child)
 }
 
 // Runs the calls from `first` in one child; returns the number of the first call without a result.
-int runChild(int first, double seconds, const std::function<std::vector<char>(int)>& work,
+int RunChild(int first, double seconds, const std::function<std::vector<char>(int)>& work,
   const std::function<bool()>& keepGoing, std::vector<IsolatedResult>& results, std::string& reason)
 {
   const int count = static_cast<int>(results.size());
@@ -163,7 +163,7 @@ int runChild(int first, double seconds, const std::function<std::vector<char>(in
   if (child == 0)
   {
     close(ends[0]);
-    serve(ends[1], first, count, work);
+    Serve(ends[1], first, count, work);
   }
   close(ends[1]);
   if (child < 0)
@@ -183,20 +183,20 @@ int runChild(int first, double seconds, const std::function<std::vector<char>(in
   {
     kill(child, SIGKILL);
   }
-  const std::string end = ending(child);
+  const std::string end = Ending(child);
   reason = reason.empty() ? end : reason;
   return next;
 }
 }
 
-std::vector<IsolatedResult> runIsolated(int count, double seconds,
+std::vector<IsolatedResult> RunIsolated(int count, double seconds,
   const std::function<std::vector<char>(int)>& work, const std::function<bool()>& keepGoing)
 {
   std::vector<IsolatedResult> results(static_cast<std::size_t>(count));
   for (int next = 0; next < count;)
   {
     std::string reason;
-    next = runChild(next, seconds, work, keepGoing, results, reason);
+    next = RunChild(next, seconds, work, keepGoing, results, reason);
     if (next < count)
     {
       results[static_cast<std::size_t>(next)].Bytes.clear();
@@ -217,7 +217,7 @@ std::vector<IsolatedResult> runIsolated(int count, double seconds,
 
 namespace nephoscope
 {
-std::vector<IsolatedResult> runIsolated(int count, double,
+std::vector<IsolatedResult> RunIsolated(int count, double,
   const std::function<std::vector<char>(int)>& work, const std::function<bool()>& keepGoing)
 {
   std::vector<IsolatedResult> results(static_cast<std::size_t>(count));

@@ -31,7 +31,7 @@ struct IsolatedResult
  * Calls work(0) ... work(count - 1), each of which may take `seconds`. `keepGoing` is called several times a second;
  * when it returns false, the remaining calls fail.
  */
-std::vector<IsolatedResult> runIsolated(int count, double seconds,
+std::vector<IsolatedResult> RunIsolated(int count, double seconds,
   const std::function<std::vector<char>(int)>& work, const std::function<bool()>& keepGoing);
 
 } // namespace nephoscope

@@ -70,7 +70,7 @@ public:
     double room = 1e300;
     for (const HalfSpace& h : halfSpaces)
     {
-      room = std::min(room, h.Offset - dot(h.Normal, x));
+      room = std::min(room, h.Offset - Dot(h.Normal, x));
     }
     return room;
   }
@@ -89,7 +89,7 @@ private:
       for (const HalfSpace& h : halfSpaces)
       {
         const Vector a{ { h.Normal[0], h.Normal[1], h.Normal[2], 1 } };
-        const double inverse = 1 / (h.Offset - dot(h.Normal, ball.Center) - ball.Radius);
+        const double inverse = 1 / (h.Offset - Dot(h.Normal, ball.Center) - ball.Radius);
         for (std::size_t i = 0; i < 4; ++i)
         {
           gradient[i] += a[i] * inverse;
@@ -121,7 +121,7 @@ private:
     double sum = -ball.Radius / mu;
     for (const HalfSpace& h : halfSpaces)
     {
-      const double gap = h.Offset - dot(h.Normal, ball.Center) - ball.Radius;
+      const double gap = h.Offset - Dot(h.Normal, ball.Center) - ball.Radius;
       if (!(gap > 0))
       {
         return 1e300;

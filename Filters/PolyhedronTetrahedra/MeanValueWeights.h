@@ -30,21 +30,21 @@ namespace nephoscope
 
 /** Adds the weights of one outward triangle of the link of x. */
 template <typename Add>
-void addMeanValueWeights(const Vector3& x, const std::array<Vector3, 3>& corners, Add add)
+void AddMeanValueWeights(const Vector3& x, const std::array<Vector3, 3>& corners, Add add)
 {
   std::array<Vector3, 3> arm;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    arm[i] = difference(corners[i], x);
+    arm[i] = Difference(corners[i], x);
   }
   std::array<Vector3, 3> normal;
   Vector3 mean{ { 0, 0, 0 } };
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Vector3 &p = arm[(i + 1) % 3], &q = arm[(i + 2) % 3];
-    const Vector3 across = cross(p, q);
-    const double sine = std::sqrt(dot(across, across)); // times both lengths
-    const double angle = std::atan2(sine, dot(p, q));
+    const Vector3 across = Cross(p, q);
+    const double sine = std::sqrt(Dot(across, across)); // times both lengths
+    const double angle = std::atan2(sine, Dot(p, q));
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       normal[i][axis] = sine > 0 ? across[axis] / sine : 0;
@@ -53,10 +53,10 @@ void addMeanValueWeights(const Vector3& x, const std::array<Vector3, 3>& corners
   }
   for (std::size_t i = 0; i < 3; ++i)
   {
-    const double height = dot(normal[i], arm[i]);
+    const double height = Dot(normal[i], arm[i]);
     if (height > 0) // a triangle edge-on to x has no solid angle
     {
-      add(i, dot(normal[i], mean) / height);
+      add(i, Dot(normal[i], mean) / height);
     }
   }
 }
@@ -65,7 +65,7 @@ void addMeanValueWeights(const Vector3& x, const std::array<Vector3, 3>& corners
  * The weights of the old vertices at each new one. Vertices from `numberOfOld` on are new; tetrahedra are positively oriented.
  * weights[k][v]: of old vertex v at new vertex k.
  */
-inline std::vector<std::vector<double>> newPointWeights(const std::vector<Vector3>& positions,
+inline std::vector<std::vector<double>> NewPointWeights(const std::vector<Vector3>& positions,
   int numberOfOld, const std::vector<std::array<int, 4>>& tetrahedra)
 {
   const auto old = static_cast<std::size_t>(numberOfOld);
@@ -89,7 +89,7 @@ inline std::vector<std::vector<double>> newPointWeights(const std::vector<Vector
         vertices[k] = static_cast<std::size_t>(t[static_cast<std::size_t>(outward[i][k])]);
         corners[k] = positions[vertices[k]];
       }
-      addMeanValueWeights(
+      AddMeanValueWeights(
         positions[x], corners, [&](std::size_t k, double w) { rows[x - old][vertices[k]] += w; });
     }
   }

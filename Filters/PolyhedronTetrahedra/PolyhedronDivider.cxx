@@ -14,13 +14,13 @@ namespace
 constexpr double goodHeight = 0.01;
 
 // Height of the apex below the plane of an outward triangle.
-double heightBelow(const Vector3& apex, const Vector3& a, const Vector3& b, const Vector3& c)
+double HeightBelow(const Vector3& apex, const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const Vector3 normal = cross(difference(b, a), difference(c, a));
-  return dot(normal, difference(a, apex)) / std::sqrt(dot(normal, normal));
+  const Vector3 normal = Cross(Difference(b, a), Difference(c, a));
+  return Dot(normal, Difference(a, apex)) / std::sqrt(Dot(normal, normal));
 }
 
-Vector3 roundedToFloat(const Vector3& x)
+Vector3 RoundedToFloat(const Vector3& x)
 {
   return { { static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2]) } };
 }
@@ -41,11 +41,11 @@ DivisionOutcome PolyhedronDivider::OutcomeOf(PolyhedronSurface::State state)
 
 DivisionOutcome PolyhedronDivider::DivideSurface()
 {
-  const double slack = slackOf(this->Surface, this->Options.IsFloat);
+  const double slack = SlackOf(this->Surface, this->Options.IsFloat);
   const bool cut = this->CutFaces();
   if (!this->Options.DivideConvex &&
-    isConvexButForWarp(this->Surface, slack, this->Options.WarpTolerance) &&
-    coneFillsCell(this->Surface, slack) && this->WarpedFacesAreFans(slack))
+    IsConvexButForWarp(this->Surface, slack, this->Options.WarpTolerance) &&
+    ConeFillsCell(this->Surface, slack) && this->WarpedFacesAreFans(slack))
   {
     return DivisionOutcome::Whole;
   }
@@ -74,9 +74,9 @@ DivisionOutcome PolyhedronDivider::Judge(const TetGenTask& task, std::string& re
   reason = task.Failure;
   for (Vector3& x : this->Division.NewPoints)
   {
-    x = this->Options.IsFloat ? roundedToFloat(x) : x;
+    x = this->Options.IsFloat ? RoundedToFloat(x) : x;
   }
-  if (reason.empty() && !fillsSurface(this->Division, this->Cut))
+  if (reason.empty() && !FillsSurface(this->Division, this->Cut))
   {
     reason = "its tetrahedra do not fill the cell";
   }
@@ -120,7 +120,7 @@ bool PolyhedronDivider::WarpedFacesAreFans(double slack)
       *face == 3 || (this->Triangulation.Cut(face + 1, *face, [this](int v) -> const Vector3& {
         return this->Surface.Position(v);
       }) && this->Triangulation.IsFan());
-    if (!fan && warpOf(this->Surface, face) > slack)
+    if (!fan && WarpOf(this->Surface, face) > slack)
     {
       return false;
     }
@@ -137,7 +137,7 @@ double PolyhedronDivider::LowestHeight(int apex) const
     if (t[0] != apex && t[1] != apex && t[2] != apex)
     {
       lowest = std::min(lowest,
-        heightBelow(this->Surface.Position(apex), this->Surface.Position(t[0]),
+        HeightBelow(this->Surface.Position(apex), this->Surface.Position(t[0]),
           this->Surface.Position(t[1]), this->Surface.Position(t[2])));
     }
   }
@@ -165,12 +165,12 @@ bool PolyhedronDivider::ConeFromKernel(double smallestHeight)
   std::vector<HalfSpace> halfSpaces;
   for (const Triangle& t : this->Cut.Triangles)
   {
-    const Vector3 a = difference(this->Surface.Position(t[0]), low);
-    Vector3 n = cross(difference(this->Surface.Position(t[1]), this->Surface.Position(t[0])),
-      difference(this->Surface.Position(t[2]), this->Surface.Position(t[0])));
-    const double length = std::sqrt(dot(n, n));
+    const Vector3 a = Difference(this->Surface.Position(t[0]), low);
+    Vector3 n = Cross(Difference(this->Surface.Position(t[1]), this->Surface.Position(t[0])),
+      Difference(this->Surface.Position(t[2]), this->Surface.Position(t[0])));
+    const double length = std::sqrt(Dot(n, n));
     n = { { n[0] / length, n[1] / length, n[2] / length } };
-    halfSpaces.push_back({ n, dot(n, a) / size });
+    halfSpaces.push_back({ n, Dot(n, a) / size });
   }
   const Ball ball = KernelPoint::Find(halfSpaces);
   if (!(ball.Radius * size >= smallestHeight))
@@ -179,7 +179,7 @@ bool PolyhedronDivider::ConeFromKernel(double smallestHeight)
   }
   Vector3 center{ { low[0] + ball.Center[0] * size, low[1] + ball.Center[1] * size,
     low[2] + ball.Center[2] * size } };
-  this->Division.NewPoints.push_back(this->Options.IsFloat ? roundedToFloat(center) : center);
+  this->Division.NewPoints.push_back(this->Options.IsFloat ? RoundedToFloat(center) : center);
   this->AddCone(this->Surface.NumberOfVertices());
   return true;
 }
@@ -209,7 +209,7 @@ void PolyhedronDivider::FinishDivision()
   positions.insert(
     positions.end(), this->Division.NewPoints.begin(), this->Division.NewPoints.end());
   this->Division.Weights =
-    newPointWeights(positions, this->Surface.NumberOfVertices(), this->Division.Tetrahedra);
+    NewPointWeights(positions, this->Surface.NumberOfVertices(), this->Division.Tetrahedra);
 }
 
 } // namespace nephoscope

@@ -41,7 +41,7 @@ enum class DivisionOutcome
 struct DivisionOptions
 {
   bool DivideConvex = false;  ///< convex cells too
-  double WarpTolerance = 0.1; ///< see isConvexButForWarp
+  double WarpTolerance = 0.1; ///< see IsConvexButForWarp
   bool IsFloat = false;       ///< coordinates are stored in 32 bits
 };
 

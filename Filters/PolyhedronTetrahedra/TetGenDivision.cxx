@@ -6,12 +6,12 @@
 
 namespace nephoscope
 {
-bool hasTetGen()
+bool IsBuiltWithTetGen()
 {
   return false;
 }
 
-void divideByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>&)
+void DivideTasksByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>&)
 {
   for (TetGenTask& task : tasks)
   {
@@ -45,7 +45,7 @@ struct Frame
   }
   Vector3 Inward(const Vector3& x) const
   {
-    const Vector3 d = difference(x, this->Origin);
+    const Vector3 d = Difference(x, this->Origin);
     return { { d[0] * this->Scale, d[1] * this->Scale, d[2] * this->Scale } };
   }
   Vector3 Outward(const Vector3& x) const
@@ -58,24 +58,24 @@ struct Frame
 };
 
 // Where the line from p along d crosses a triangle: the multiple of d, or a negative number.
-double crossing(
+double FindCrossing(
   const Vector3& p, const Vector3& d, const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const Vector3 ab = difference(b, a), ac = difference(c, a), ap = difference(p, a);
-  const Vector3 h = cross(d, ac);
-  const double determinant = dot(ab, h);
+  const Vector3 ab = Difference(b, a), ac = Difference(c, a), ap = Difference(p, a);
+  const Vector3 h = Cross(d, ac);
+  const double determinant = Dot(ab, h);
   if (determinant == 0)
   {
     return -1;
   }
-  const double u = dot(ap, h) / determinant;
-  const Vector3 q = cross(ap, ab);
-  const double v = dot(d, q) / determinant;
-  return u < 0 || v < 0 || u + v > 1 ? -1 : dot(ac, q) / determinant;
+  const double u = Dot(ap, h) / determinant;
+  const Vector3 q = Cross(ap, ab);
+  const double v = Dot(d, q) / determinant;
+  return u < 0 || v < 0 || u + v > 1 ? -1 : Dot(ac, q) / determinant;
 }
 
 // A point inside the cavity behind a face: halfway from a triangle's middle to what lies opposite.
-Vector3 pointInCavity(const TriangulatedSurface& cut, const Frame& frame, int face)
+Vector3 PointInCavity(const TriangulatedSurface& cut, const Frame& frame, int face)
 {
   const auto first = std::find(cut.FaceOf.begin(), cut.FaceOf.end(), face) - cut.FaceOf.begin();
   auto corners = [&](std::size_t triangle) {
@@ -84,7 +84,7 @@ Vector3 pointInCavity(const TriangulatedSurface& cut, const Frame& frame, int fa
       frame.Inward(cut.Surface->Position(t[1])), frame.Inward(cut.Surface->Position(t[2])) } };
   };
   const auto [a, b, c] = corners(static_cast<std::size_t>(first));
-  const Vector3 normal = cross(difference(b, a), difference(c, a));
+  const Vector3 normal = Cross(Difference(b, a), Difference(c, a));
   Vector3 middle;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -94,7 +94,8 @@ Vector3 pointInCavity(const TriangulatedSurface& cut, const Frame& frame, int fa
   for (std::size_t i = 0; i < cut.Triangles.size(); ++i)
   {
     const auto [p, q, r] = corners(i);
-    const double t = i == static_cast<std::size_t>(first) ? -1 : crossing(middle, normal, p, q, r);
+    const double t =
+      i == static_cast<std::size_t>(first) ? -1 : FindCrossing(middle, normal, p, q, r);
     nearest = t > 0 ? std::min(nearest, t) : nearest;
   }
   const double half = nearest / 2;
@@ -102,19 +103,19 @@ Vector3 pointInCavity(const TriangulatedSurface& cut, const Frame& frame, int fa
     middle[2] + half * normal[2] } };
 }
 
-void setPoint(double* list, int index, const Vector3& x)
+void SetPoint(double* list, int index, const Vector3& x)
 {
   std::copy(x.begin(), x.end(), list + 3 * index);
 }
 
-void fillInput(const TriangulatedSurface& cut, const Frame& frame, tetgenio& in)
+void FillInput(const TriangulatedSurface& cut, const Frame& frame, tetgenio& in)
 {
   in.firstnumber = 0;
   in.numberofpoints = cut.Surface->NumberOfVertices();
   in.pointlist = new double[3 * static_cast<std::size_t>(in.numberofpoints)];
   for (int v = 0; v < in.numberofpoints; ++v)
   {
-    setPoint(in.pointlist, v, frame.Inward(cut.Surface->Position(v)));
+    SetPoint(in.pointlist, v, frame.Inward(cut.Surface->Position(v)));
   }
   in.numberoffacets = static_cast<int>(cut.Triangles.size());
   in.facetlist = new tetgenio::facet[cut.Triangles.size()];
@@ -135,7 +136,7 @@ void fillInput(const TriangulatedSurface& cut, const Frame& frame, tetgenio& in)
   in.holelist = cavities.empty() ? nullptr : new double[3 * cavities.size()];
   for (int h = 0; h < in.numberofholes; ++h)
   {
-    setPoint(in.holelist, h, pointInCavity(cut, frame, cavities[static_cast<std::size_t>(h)]));
+    SetPoint(in.holelist, h, PointInCavity(cut, frame, cavities[static_cast<std::size_t>(h)]));
   }
 }
 
@@ -148,29 +149,29 @@ struct Header
 };
 
 template <typename T>
-void append(std::vector<char>& bytes, const T* values, std::size_t count)
+void Append(std::vector<char>& bytes, const T* values, std::size_t count)
 {
   const char* begin = reinterpret_cast<const char*>(values);
   bytes.insert(bytes.end(), begin, begin + count * sizeof(T));
 }
 
-std::vector<char> pack(const tetgenio& out, int numberOfVertices, int code)
+std::vector<char> Pack(const tetgenio& out, int numberOfVertices, int code)
 {
   std::vector<char> bytes;
   const Header header = { code, code ? 0 : out.numberofpoints - numberOfVertices,
     code ? 0 : out.numberoftetrahedra };
-  append(bytes, &header, 1);
+  Append(bytes, &header, 1);
   if (code == 0)
   {
-    append(
+    Append(
       bytes, out.pointlist + 3 * numberOfVertices, 3 * static_cast<std::size_t>(header.NewPoints));
-    append(bytes, out.tetrahedronlist, 4 * static_cast<std::size_t>(header.Tetrahedra));
+    Append(bytes, out.tetrahedronlist, 4 * static_cast<std::size_t>(header.Tetrahedra));
   }
   return bytes;
 }
 
 // Returns TetGen's code.
-int unpack(const std::vector<char>& bytes, const Frame& frame, CellDivision& division)
+int Unpack(const std::vector<char>& bytes, const Frame& frame, CellDivision& division)
 {
   Header header;
   std::memcpy(&header, bytes.data(), sizeof header);
@@ -191,7 +192,7 @@ int unpack(const std::vector<char>& bytes, const Frame& frame, CellDivision& div
 }
 
 // 0, or the code that TetGen throws: tetgen.h, terminatetetgen.
-int callTetGen(tetgenio& in, tetgenio& out)
+int CallTetGen(tetgenio& in, tetgenio& out)
 {
   // p: a surface. Y: leave the surface unchanged. M: do not merge triangles of one plane. Q: quiet.
   char switches[] = "pYMQ";
@@ -210,7 +211,7 @@ int callTetGen(tetgenio& in, tetgenio& out)
   }
 }
 
-std::string explain(int code)
+std::string Explain(int code)
 {
   switch (code)
   {
@@ -228,34 +229,34 @@ std::string explain(int code)
   }
 }
 
-std::vector<char> divide(const TriangulatedSurface& surface)
+std::vector<char> Divide(const TriangulatedSurface& surface)
 {
   // Never freed: after an error TetGen may have freed parts of them, and the child ends soon.
   auto* in = new tetgenio;
   auto* out = new tetgenio;
-  fillInput(surface, Frame(*surface.Surface), *in);
-  const int code = callTetGen(*in, *out);
-  return pack(*out, surface.Surface->NumberOfVertices(), code);
+  FillInput(surface, Frame(*surface.Surface), *in);
+  const int code = CallTetGen(*in, *out);
+  return Pack(*out, surface.Surface->NumberOfVertices(), code);
 }
 }
 
-bool hasTetGen()
+bool IsBuiltWithTetGen()
 {
   return true;
 }
 
-void divideByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>& keepGoing)
+void DivideTasksByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>& keepGoing)
 {
-  const std::vector<IsolatedResult> results = runIsolated(
+  const std::vector<IsolatedResult> results = RunIsolated(
     static_cast<int>(tasks.size()), longestSeconds,
-    [&](int i) { return divide(*tasks[static_cast<std::size_t>(i)].Surface); }, keepGoing);
+    [&](int i) { return Divide(*tasks[static_cast<std::size_t>(i)].Surface); }, keepGoing);
   for (std::size_t i = 0; i < tasks.size(); ++i)
   {
     tasks[i].Failure = results[i].Failure;
     if (tasks[i].Failure.empty())
     {
       tasks[i].Failure =
-        explain(unpack(results[i].Bytes, Frame(*tasks[i].Surface->Surface), *tasks[i].Division));
+        Explain(Unpack(results[i].Bytes, Frame(*tasks[i].Surface->Surface), *tasks[i].Division));
     }
   }
 }

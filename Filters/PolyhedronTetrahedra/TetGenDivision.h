@@ -19,7 +19,7 @@ namespace nephoscope
 {
 
 /** Whether the build has TetGen. */
-bool hasTetGen();
+bool IsBuiltWithTetGen();
 
 struct TetGenTask
 {
@@ -29,7 +29,7 @@ struct TetGenTask
 };
 
 /** The surfaces' triangles are left as they are: new points only inside. */
-void divideByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>& keepGoing);
+void DivideTasksByTetGen(std::vector<TetGenTask>& tasks, const std::function<bool()>& keepGoing);
 
 } // namespace nephoscope
 

@@ -105,7 +105,7 @@ private:
   vtkNew<vtkIdList> Stream;
 };
 
-bool holdsPolyhedra(vtkUnstructuredGrid* grid)
+bool HoldsPolyhedra(vtkUnstructuredGrid* grid)
 {
   for (vtkIdType cell = 0; grid && grid->GetPoints() && cell < grid->GetNumberOfCells(); ++cell)
   {
@@ -124,9 +124,9 @@ struct Complaint
   std::string Remedy;
 };
 
-std::vector<Complaint> complaints(bool useTetGen, const std::string& reason)
+std::vector<Complaint> Complaints(bool useTetGen, const std::string& reason)
 {
-  const std::string enable = nephoscope::hasTetGen() && !useTetGen
+  const std::string enable = nephoscope::IsBuiltWithTetGen() && !useTetGen
     ? "Set UseTetGen on."
     : "Build with TetGen: in Debian install libtet1.5-dev, then configure with NEPHOSCOPE_USE_TETGEN=ON.";
   return {
@@ -147,19 +147,19 @@ std::vector<Complaint> complaints(bool useTetGen, const std::string& reason)
 
 bool vtkPolyhedronToTetrahedra::HasTetGen()
 {
-  return nephoscope::hasTetGen();
+  return nephoscope::IsBuiltWithTetGen();
 }
 
 int vtkPolyhedronToTetrahedra::FillInputPortInformation(int, vtkInformation* info)
 {
-  nephoscope::takeAnyData(info);
+  nephoscope::TakeAnyData(info);
   return 1;
 }
 
 vtkTypeBool vtkPolyhedronToTetrahedra::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  return nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
+  return nephoscope::HasOtherInput(this, this->ToldOfInput, request, inputs, outputs,
            { "vtkDataSet" }, "It must be a dataset with cells.") ||
     this->Superclass::ProcessRequest(request, inputs, outputs);
 }
@@ -178,8 +178,8 @@ int vtkPolyhedronToTetrahedra::RequestData(
   output->ShallowCopy(input);
   vtkWork work;
   work.Grid = vtkUnstructuredGrid::SafeDownCast(input);
-  if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs) ||
-    !holdsPolyhedra(work.Grid))
+  if (nephoscope::IsEmptyInput(this, this->ToldOfEmptiness, inputs, outputs) ||
+    !HoldsPolyhedra(work.Grid))
   {
     return 1;
   }
@@ -200,7 +200,7 @@ int vtkPolyhedronToTetrahedra::RequestData(
     std::count(work.Outcomes.begin(), work.Outcomes.end(), DivisionOutcome::Divided);
   if (this->NumberOfDividedCells > 0)
   {
-    this->NumberOfNewPoints = nephoscope::buildDividedGrid(
+    this->NumberOfNewPoints = nephoscope::BuildDividedGrid(
       work.Grid, work.Divisions, vtkUnstructuredGrid::SafeDownCast(output));
   }
   this->Report(work);
@@ -227,14 +227,14 @@ void vtkPolyhedronToTetrahedra::DivideInParallel(vtkWork& work)
   for (vtkIdType first = 0; first < n && !this->CheckAbort(); first += chunk)
   {
     this->UpdateProgress(0.8 * static_cast<double>(first) / static_cast<double>(n));
-    nephoscope::withThreads([&]() { vtkSMPTools::For(first, std::min(first + chunk, n), divide); });
+    nephoscope::WithThreads([&]() { vtkSMPTools::For(first, std::min(first + chunk, n), divide); });
   }
 }
 
 // Some hundred cells at a time, so that progress is told and memory does not grow.
 void vtkPolyhedronToTetrahedra::DivideByTetGen(vtkWork& work)
 {
-  if (!this->UseTetGen || !nephoscope::hasTetGen())
+  if (!this->UseTetGen || !nephoscope::IsBuiltWithTetGen())
   {
     return;
   }
@@ -268,7 +268,7 @@ void vtkPolyhedronToTetrahedra::DivideBatchByTetGen(
     readers.back()->Divide(static_cast<vtkIdType>(i)); // makes its surface again
     tasks.push_back(readers.back()->GetDivider().MakeTask());
   }
-  nephoscope::divideByTetGen(tasks, [this]() { return !this->CheckAbort(); });
+  nephoscope::DivideTasksByTetGen(tasks, [this]() { return !this->CheckAbort(); });
   for (std::size_t k = 0; k < cells.size(); ++k)
   {
     const std::size_t i = cells[k];
@@ -284,7 +284,7 @@ void vtkPolyhedronToTetrahedra::DivideBatchByTetGen(
 
 void vtkPolyhedronToTetrahedra::Report(const vtkWork& work)
 {
-  for (const Complaint& complaint : complaints(this->UseTetGen, work.Reason))
+  for (const Complaint& complaint : Complaints(this->UseTetGen, work.Reason))
   {
     const auto count = std::count(work.Outcomes.begin(), work.Outcomes.end(), complaint.Outcome);
     if (count == 0)

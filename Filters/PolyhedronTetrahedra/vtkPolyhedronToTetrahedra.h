@@ -104,7 +104,7 @@ private:
   bool DivideConvexPolyhedra = false;
   double FaceWarpTolerance = 0.1;
   bool UseTetGen = true;
-  vtkMTimeType ToldOfInput = 0; // for hasOtherInput
+  vtkMTimeType ToldOfInput = 0; // for HasOtherInput
   vtkMTimeType ToldOfEmptiness = 0;
   vtkIdType NumberOfDividedCells = 0;
   vtkIdType NumberOfNewPoints = 0;

@@ -34,12 +34,12 @@ inline Vector3 Apply(const AffineMatrix& m, const Vector3& x)
 // Edge lengths of a voxel.
 inline Vector3 Spacing(const AffineMatrix& m)
 {
-  return { { norm(Column(m, 0)), norm(Column(m, 1)), norm(Column(m, 2)) } };
+  return { { Norm(Column(m, 0)), Norm(Column(m, 1)), Norm(Column(m, 2)) } };
 }
 
 inline double VoxelVolume(const AffineMatrix& m)
 {
-  return std::abs(tripleProduct(Column(m, 1), Column(m, 2), Column(m, 0)));
+  return std::abs(TripleProduct(Column(m, 1), Column(m, 2), Column(m, 0)));
 }
 
 // Whether the edges of a voxel meet at right angles, to a share of 1e-6: what an image can hold.
@@ -48,7 +48,7 @@ inline bool IsRectangular(const AffineMatrix& m)
   for (std::size_t a = 0; a < 3; ++a)
   {
     const Vector3 u = Column(m, a), v = Column(m, (a + 1) % 3);
-    if (std::abs(dot(u, v)) > 1e-6 * norm(u) * norm(v))
+    if (std::abs(Dot(u, v)) > 1e-6 * Norm(u) * Norm(v))
     {
       return false;
     }

@@ -15,7 +15,7 @@ struct VdbLibrary
   std::string Error;
 };
 
-std::string folderOfThisLibrary()
+std::string FolderOfThisLibrary()
 {
   Dl_info own;
   const std::string path =
@@ -23,10 +23,10 @@ std::string folderOfThisLibrary()
   return path.substr(0, path.rfind('/') + 1); // empty where there is none
 }
 
-VdbLibrary load()
+VdbLibrary Load()
 {
   VdbLibrary library;
-  const std::string path = folderOfThisLibrary() + NEPHOSCOPE_VDB_LIBRARY;
+  const std::string path = FolderOfThisLibrary() + NEPHOSCOPE_VDB_LIBRARY;
   void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   void* function = handle ? dlsym(handle, "nephoscope_vdb_functions") : nullptr;
   if (!function)
@@ -40,16 +40,16 @@ VdbLibrary load()
   return library;
 }
 
-const VdbLibrary& vdbLibrary()
+const VdbLibrary& LoadedVdbLibrary()
 {
-  static const VdbLibrary library = load();
+  static const VdbLibrary library = Load();
   return library;
 }
 
 template <typename Function, typename... Arguments>
-std::string call(Function VdbFunctions::*member, Arguments&&... arguments)
+std::string Call(Function VdbFunctions::*member, Arguments&&... arguments)
 {
-  const VdbLibrary& library = vdbLibrary();
+  const VdbLibrary& library = LoadedVdbLibrary();
   return library.Error.empty() ? (library.Functions.*member)(arguments...) : library.Error;
 }
 }
@@ -61,26 +61,27 @@ bool HasOpenVDB()
 
 std::vector<VdbGridInfo> ListVdbGrids(const std::string& file, std::string& error)
 {
-  error = vdbLibrary().Error;
-  return error.empty() ? vdbLibrary().Functions.List(file, error) : std::vector<VdbGridInfo>();
+  error = LoadedVdbLibrary().Error;
+  return error.empty() ? LoadedVdbLibrary().Functions.List(file, error)
+                       : std::vector<VdbGridInfo>();
 }
 
 std::string ReadVdbPoints(
   const VdbRequest& request, vtkPolyData* points, std::vector<std::string>& warnings)
 {
-  return call(&VdbFunctions::ReadPoints, request, points, warnings);
+  return Call(&VdbFunctions::ReadPoints, request, points, warnings);
 }
 
 std::string ReadVdbImage(
   const VdbRequest& request, vtkImageData* image, std::vector<std::string>& warnings)
 {
-  return call(&VdbFunctions::ReadImage, request, image, warnings);
+  return Call(&VdbFunctions::ReadImage, request, image, warnings);
 }
 
 std::string WriteVdb(
   const VdbWriteSettings& settings, vtkDataSet* data, std::vector<std::string>& warnings)
 {
-  return call(&VdbFunctions::Write, settings, data, warnings);
+  return Call(&VdbFunctions::Write, settings, data, warnings);
 }
 
 } // namespace nephoscope

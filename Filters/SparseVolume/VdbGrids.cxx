@@ -14,12 +14,12 @@ constexpr const char* unnamed = "unnamed"; // VTK's arrays need a name
 constexpr std::size_t longestName = 1000;  // bytes; OpenVDB reads up to 4 GiB from a damaged file
 constexpr std::size_t longestReason = 500;
 
-std::string abbreviated(const std::string& text, std::size_t length)
+std::string Abbreviated(const std::string& text, std::size_t length)
 {
   return text.size() <= length ? text : text.substr(0, length) + "...";
 }
 
-std::string className(const openvdb::GridBase& grid)
+std::string ClassName(const openvdb::GridBase& grid)
 {
   switch (grid.getGridClass())
   {
@@ -34,7 +34,7 @@ std::string className(const openvdb::GridBase& grid)
   }
 }
 
-std::string refusalOf(const openvdb::GridBase& grid)
+std::string RefusalOf(const openvdb::GridBase& grid)
 {
   if (grid.type() == "Tree_ptdataidx32_5_4_3" || grid.type() == "Tree_ptdataidx64_5_4_3")
   {
@@ -67,7 +67,7 @@ void StartOpenVDB()
 std::string Reason(const std::exception& exception)
 {
   const std::string what = exception.what();
-  return what.empty() ? "OpenVDB gives no reason" : abbreviated(what, longestReason);
+  return what.empty() ? "OpenVDB gives no reason" : Abbreviated(what, longestReason);
 }
 
 // OpenVDB multiplies row vectors from the left: its matrices are transposed.
@@ -103,9 +103,9 @@ VdbGridInfo Describe(const openvdb::GridBase& grid, const std::string& name)
   VdbGridInfo info;
   info.Name = name;
   info.Type = grid.valueType();
-  info.Class = className(grid);
+  info.Class = ClassName(grid);
   info.Half = grid.saveFloatAsHalf();
-  info.Refusal = refusalOf(grid);
+  info.Refusal = RefusalOf(grid);
   if (!info.Refusal.empty())
   {
     return info;
@@ -156,7 +156,7 @@ VdbGridInfo VdbArchive::ListOne(const std::string& key)
   VdbGridInfo info;
   if (key.size() > longestName)
   {
-    info.Name = abbreviated(key, longestReason);
+    info.Name = Abbreviated(key, longestReason);
     info.Refusal = "its name has " + std::to_string(key.size()) + " bytes, more than " +
       std::to_string(longestName) + "; the file may be damaged";
     return info;

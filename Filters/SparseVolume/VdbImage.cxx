@@ -14,7 +14,7 @@ namespace nephoscope
 namespace
 {
 template <typename GridT>
-vtkSmartPointer<vtkDataArray> fillImage(
+vtkSmartPointer<vtkDataArray> FillImage(
   const GridT& grid, const VdbValues<GridT>& values, const std::string& name, const int e[6])
 {
   using Traits = VdbArrayTraits<GridT>;
@@ -76,7 +76,7 @@ std::string ReadVdbImage(const VdbRequest& request, vtkImageData* image, std::ve
     read.Grids[i]->apply<VdbGridTypes>([&](const auto& grid) {
       using GridT = std::decay_t<decltype(grid)>;
       const VdbValues<GridT> values(grid, info, request.Grids[0].IndexToWorld);
-      image->GetPointData()->AddArray(fillImage(grid, values, info.Name, extent));
+      image->GetPointData()->AddArray(FillImage(grid, values, info.Name, extent));
     });
     read.Grids[i].reset(); // no longer needed
   }

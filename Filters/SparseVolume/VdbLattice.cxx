@@ -51,20 +51,20 @@ struct ImageSamples
 };
 
 // Lowest index of the leaf that a voxel is in; leaves are at multiples of their edge, below 0 too.
-int leafOf(int index)
+int LeafOf(int index)
 {
   return index & ~7;
 }
 
 /** All places of leaves over an extent. */
-std::vector<openvdb::Coord> leavesOver(const int e[6])
+std::vector<openvdb::Coord> LeavesOver(const int e[6])
 {
   std::vector<openvdb::Coord> leaves;
-  for (int i = leafOf(e[0]); i <= e[1]; i += 8)
+  for (int i = LeafOf(e[0]); i <= e[1]; i += 8)
   {
-    for (int j = leafOf(e[2]); j <= e[3]; j += 8)
+    for (int j = LeafOf(e[2]); j <= e[3]; j += 8)
     {
-      for (int k = leafOf(e[4]); k <= e[5]; k += 8)
+      for (int k = LeafOf(e[4]); k <= e[5]; k += 8)
       {
         leaves.emplace_back(i, j, k);
       }
@@ -122,10 +122,10 @@ private:
 };
 
 template <typename GridT>
-vtkIdType fillGrid(GridT& grid, const ImageSamples& samples, vtkDataArray* array, double tolerance)
+vtkIdType FillGrid(GridT& grid, const ImageSamples& samples, vtkDataArray* array, double tolerance)
 {
   const LeafFiller<GridT> fill(samples, array, tolerance);
-  const std::vector<openvdb::Coord> places = leavesOver(samples.Extent);
+  const std::vector<openvdb::Coord> places = LeavesOver(samples.Extent);
   std::vector<typename LeafFiller<GridT>::Leaf*> leaves(places.size(), nullptr);
   std::atomic<vtkIdType> notFinite{ 0 };
   vtkSMPTools::For(0, static_cast<vtkIdType>(places.size()), [&](vtkIdType begin, vtkIdType end) {
@@ -147,7 +147,7 @@ vtkIdType fillGrid(GridT& grid, const ImageSamples& samples, vtkDataArray* array
   return notFinite;
 }
 
-AffineMatrix latticeOf(vtkImageData* image, bool onCells)
+AffineMatrix LatticeOf(vtkImageData* image, bool onCells)
 {
   AffineMatrix matrix{};
   const double shift = onCells ? 0.5 : 0.0;
@@ -176,11 +176,11 @@ LatticeCounts FillFromImage(
 {
   LatticeCounts counts;
   const ImageSamples samples(image, onCells);
-  grid.setTransform(TransformOf(latticeOf(image, onCells)));
+  grid.setTransform(TransformOf(LatticeOf(image, onCells)));
   grid.apply<VdbGridTypes>([&](auto& typed) {
     if constexpr (!std::is_same<std::decay_t<decltype(typed)>, openvdb::MaskGrid>::value)
     {
-      counts.NotFinite = fillGrid(typed, samples, array, tolerance);
+      counts.NotFinite = FillGrid(typed, samples, array, tolerance);
     }
   });
   return counts;

@@ -16,7 +16,7 @@ namespace
 constexpr double largestIndex = 1 << 30;
 
 // Edge of the cube that each would have if they filled their bounds, along the axes along which they spread.
-double meanSpacing(const double low[3], const double high[3], std::size_t count)
+double MeanSpacing(const double low[3], const double high[3], std::size_t count)
 {
   const double longest = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });
   double volume = 1;
@@ -65,7 +65,7 @@ VdbParticles::VdbParticles(vtkDataSet* data, vtkDataArray* masses, double voxelS
   }
   if (!(this->VoxelSize > 0))
   {
-    this->VoxelSize = meanSpacing(low, high, this->Ids.size());
+    this->VoxelSize = MeanSpacing(low, high, this->Ids.size());
   }
   for (int axis = 0; axis < 3; ++axis)
   {

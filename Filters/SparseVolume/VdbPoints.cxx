@@ -46,7 +46,7 @@ struct Voxels
   vtkIdType Size() const { return this->InLeaves + static_cast<vtkIdType>(this->Tiles.size()); }
 };
 
-Mask::Ptr unionOf(const VdbRequest& request, const VdbRead& read)
+Mask::Ptr UnionOf(const VdbRequest& request, const VdbRead& read)
 {
   Mask::Ptr active = NewGrid<openvdb::MaskGrid>()->treePtr();
   for (std::size_t i = 0; i < read.Grids.size(); ++i)
@@ -61,7 +61,7 @@ Mask::Ptr unionOf(const VdbRequest& request, const VdbRead& read)
 }
 
 // The active tiles; their voxels stay uncounted where the tree is one of leaves.
-std::vector<Tile> tilesOf(const Mask& active)
+std::vector<Tile> TilesOf(const Mask& active)
 {
   std::vector<Tile> tiles;
   auto value = active.cbeginValueOn();
@@ -75,7 +75,7 @@ std::vector<Tile> tilesOf(const Mask& active)
   return tiles;
 }
 
-Voxels voxelsOf(const Mask::Ptr& active, bool splitTiles)
+Voxels VoxelsOf(const Mask::Ptr& active, bool splitTiles)
 {
   Voxels voxels;
   voxels.Active = active;
@@ -83,7 +83,7 @@ Voxels voxelsOf(const Mask::Ptr& active, bool splitTiles)
   {
     active->voxelizeActiveTiles();
   }
-  voxels.Tiles = tilesOf(*active);
+  voxels.Tiles = TilesOf(*active);
   for (auto leaf = active->cbeginLeaf(); leaf; ++leaf)
   {
     voxels.Leaves.push_back(&*leaf);
@@ -95,7 +95,7 @@ Voxels voxelsOf(const Mask::Ptr& active, bool splitTiles)
 
 /** Calls body(point, coordinates of its first voxel, edge in voxels, what prepare() gave this thread) for all points. */
 template <typename Prepare, typename Body>
-void forAll(const Voxels& voxels, Prepare prepare, Body body)
+void ForAll(const Voxels& voxels, Prepare prepare, Body body)
 {
   vtkSMPTools::For(
     0, static_cast<vtkIdType>(voxels.Leaves.size()), [&](vtkIdType begin, vtkIdType end) {
@@ -118,7 +118,7 @@ void forAll(const Voxels& voxels, Prepare prepare, Body body)
 }
 
 // Float where it tells places apart to a thousandth of a voxel.
-bool floatIsEnough(const VdbRequest& request, const Mask& active)
+bool FloatIsEnough(const VdbRequest& request, const Mask& active)
 {
   const AffineMatrix& m = request.Grids[0].IndexToWorld;
   openvdb::CoordBBox box;
@@ -139,12 +139,12 @@ bool floatIsEnough(const VdbRequest& request, const Mask& active)
   return farthest * 6e-8 < 1e-3 * std::min({ edges[0], edges[1], edges[2] });
 }
 
-vtkSmartPointer<vtkPoints> placesOf(const Voxels& voxels, const AffineMatrix& lattice, bool inFloat)
+vtkSmartPointer<vtkPoints> PlacesOf(const Voxels& voxels, const AffineMatrix& lattice, bool inFloat)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(inFloat ? VTK_FLOAT : VTK_DOUBLE);
   points->SetNumberOfPoints(voxels.Size());
-  forAll(
+  ForAll(
     voxels, []() { return 0; },
     [&](vtkIdType point, const openvdb::Coord& first, int edge, int) {
       const double half = 0.5 * (edge - 1);
@@ -157,13 +157,13 @@ vtkSmartPointer<vtkPoints> placesOf(const Voxels& voxels, const AffineMatrix& la
 }
 
 template <typename GridT>
-vtkSmartPointer<vtkDataArray> valuesAt(
+vtkSmartPointer<vtkDataArray> ValuesAt(
   const Voxels& voxels, const VdbValues<GridT>& values, const std::string& name)
 {
   using Traits = VdbArrayTraits<GridT>;
   auto array = Traits::NewArray(name, voxels.Size());
   auto* data = static_cast<typename Traits::Scalar*>(array->GetVoidPointer(0));
-  forAll(
+  ForAll(
     voxels, [&]() { return values.Accessor(); },
     [&](vtkIdType point, const openvdb::Coord& first, int,
       const typename GridT::ConstAccessor& accessor) {
@@ -172,7 +172,7 @@ vtkSmartPointer<vtkDataArray> valuesAt(
   return array;
 }
 
-void addLattice(const Voxels& voxels, const AffineMatrix& lattice, vtkPolyData* points)
+void AddLattice(const Voxels& voxels, const AffineMatrix& lattice, vtkPolyData* points)
 {
   vtkNew<vtkDoubleArray> matrix;
   matrix->SetName("IndexToWorld");
@@ -196,7 +196,7 @@ void addLattice(const Voxels& voxels, const AffineMatrix& lattice, vtkPolyData* 
 }
 
 // One cell for all points, so that they are drawn: 8 bytes a point.
-void addVertices(vtkPolyData* points)
+void AddVertices(vtkPolyData* points)
 {
   const vtkIdType count = points->GetNumberOfPoints();
   vtkNew<vtkIdTypeArray> offsets, ids;
@@ -211,7 +211,7 @@ void addVertices(vtkPolyData* points)
 }
 
 // Active voxels of grids on another lattice that lie outside the first one's are not seen: say so.
-void warnOfLost(const VdbRequest& request, const Mask& active, std::vector<std::string>& warnings)
+void WarnOfLost(const VdbRequest& request, const Mask& active, std::vector<std::string>& warnings)
 {
   openvdb::CoordBBox box;
   active.evalActiveVoxelBoundingBox(box);
@@ -245,7 +245,7 @@ void warnOfLost(const VdbRequest& request, const Mask& active, std::vector<std::
   }
 }
 
-void copyGrids(const VdbRequest& request, VdbRead& read, const Voxels& voxels, vtkPointData* arrays)
+void CopyGrids(const VdbRequest& request, VdbRead& read, const Voxels& voxels, vtkPointData* arrays)
 {
   for (std::size_t i = 0; i < read.Grids.size(); ++i)
   {
@@ -253,7 +253,7 @@ void copyGrids(const VdbRequest& request, VdbRead& read, const Voxels& voxels, v
     read.Grids[i]->apply<VdbGridTypes>([&](const auto& grid) {
       using GridT = std::decay_t<decltype(grid)>;
       arrays->AddArray(
-        valuesAt(voxels, VdbValues<GridT>(grid, info, request.Grids[0].IndexToWorld), info.Name));
+        ValuesAt(voxels, VdbValues<GridT>(grid, info, request.Grids[0].IndexToWorld), info.Name));
     });
     read.Grids[i].reset(); // no longer needed
   }
@@ -269,10 +269,10 @@ std::string ReadVdbPoints(
   {
     return read.Error;
   }
-  Mask::Ptr active = unionOf(request, read);
+  Mask::Ptr active = UnionOf(request, read);
   // A tile of one grid may be finer divided in another: only those of a single grid stay whole.
   const bool split = request.SplitTiles || request.Grids.size() > 1;
-  const bool inFloat = floatIsEnough(request, *active);
+  const bool inFloat = FloatIsEnough(request, *active);
   const auto count =
     static_cast<double>(split ? active->activeVoxelCount()
                               : active->activeLeafVoxelCount() + active->activeTileCount());
@@ -283,12 +283,12 @@ std::string ReadVdbPoints(
   {
     return error;
   }
-  warnOfLost(request, *active, warnings);
-  const Voxels voxels = voxelsOf(active, split);
-  points->SetPoints(placesOf(voxels, request.Grids[0].IndexToWorld, inFloat));
-  addVertices(points);
-  addLattice(voxels, request.Grids[0].IndexToWorld, points);
-  copyGrids(request, read, voxels, points->GetPointData());
+  WarnOfLost(request, *active, warnings);
+  const Voxels voxels = VoxelsOf(active, split);
+  points->SetPoints(PlacesOf(voxels, request.Grids[0].IndexToWorld, inFloat));
+  AddVertices(points);
+  AddLattice(voxels, request.Grids[0].IndexToWorld, points);
+  CopyGrids(request, read, voxels, points->GetPointData());
   return {};
 }
 

@@ -34,16 +34,16 @@ struct Volume
   std::vector<std::string>& Warnings;
 };
 
-bool isWanted(const VdbWriteSettings& settings, const std::string& name)
+bool IsWanted(const VdbWriteSettings& settings, const std::string& name)
 {
   return settings.Arrays.empty() ||
     std::count(settings.Arrays.begin(), settings.Arrays.end(), name) > 0;
 }
 
 // How a vector changes when the volume is moved: Houdini turns and scales velocities with it, and normals as such.
-openvdb::VecType vectorTypeOf(const std::string& name)
+openvdb::VecType VectorTypeOf(const std::string& name)
 {
-  const std::string text = lowerCase(name);
+  const std::string text = LowerCase(name);
   if (text == "v" || text.find("vel") != std::string::npos ||
     text.find("wind") != std::string::npos)
   {
@@ -53,7 +53,7 @@ openvdb::VecType vectorTypeOf(const std::string& name)
                                                   : openvdb::VEC_INVARIANT;
 }
 
-void addGrid(const VdbWriteSettings& settings, const openvdb::GridBase::Ptr& grid,
+void AddGrid(const VdbWriteSettings& settings, const openvdb::GridBase::Ptr& grid,
   const std::string& array, Volume& volume)
 {
   const auto renamed = settings.Names.find(array);
@@ -69,7 +69,7 @@ void addGrid(const VdbWriteSettings& settings, const openvdb::GridBase::Ptr& gri
   }
   if (isVector)
   {
-    grid->setVectorType(vectorTypeOf(name));
+    grid->setVectorType(VectorTypeOf(name));
   }
   if (grid->activeVoxelCount() == 0)
   {
@@ -80,7 +80,7 @@ void addGrid(const VdbWriteSettings& settings, const openvdb::GridBase::Ptr& gri
   volume.Names.push_back(name);
 }
 
-void warnOfNotFinite(const std::string& array, vtkIdType count, Volume& volume)
+void WarnOfNotFinite(const std::string& array, vtkIdType count, Volume& volume)
 {
   if (count > 0)
   {
@@ -91,14 +91,14 @@ void warnOfNotFinite(const std::string& array, vtkIdType count, Volume& volume)
 
 /** Calls write(array, grid) with an empty grid for every array that is wanted. */
 template <typename Write>
-void forArrays(
+void ForArrays(
   const VdbWriteSettings& settings, vtkDataSetAttributes* arrays, Volume& volume, Write write)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = arrays->GetArray(i);
     const std::string name = array && array->GetName() ? array->GetName() : "";
-    if (name.empty() || name == "vtkGhostType" || !isWanted(settings, name))
+    if (name.empty() || name == "vtkGhostType" || !IsWanted(settings, name))
     {
       continue;
     }
@@ -113,43 +113,43 @@ void forArrays(
   }
 }
 
-void addImage(const VdbWriteSettings& settings, vtkImageData* image, Volume& volume)
+void AddImage(const VdbWriteSettings& settings, vtkImageData* image, Volume& volume)
 {
   for (const bool onCells : { false, true })
   {
     auto* arrays =
       onCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
-    forArrays(settings, arrays, volume,
+    ForArrays(settings, arrays, volume,
       [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
-        warnOfNotFinite(
+        WarnOfNotFinite(
           name, FillFromImage(*grid, image, array, onCells, settings.Tolerance).NotFinite, volume);
-        addGrid(settings, grid, name, volume);
+        AddGrid(settings, grid, name, volume);
       });
   }
 }
 
-void addVoxels(
+void AddVoxels(
   const VdbWriteSettings& settings, const LatticePoints& points, vtkDataSet* data, Volume& volume)
 {
-  forArrays(settings, data->GetPointData(), volume,
+  ForArrays(settings, data->GetPointData(), volume,
     [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
       if (name != "VoxelScale")
       {
-        warnOfNotFinite(name, FillFromPoints(*grid, points, array).NotFinite, volume);
-        addGrid(settings, grid, name, volume);
+        WarnOfNotFinite(name, FillFromPoints(*grid, points, array).NotFinite, volume);
+        AddGrid(settings, grid, name, volume);
       }
     });
 }
 
 // Means of integers are not integers.
-openvdb::GridBase::Ptr newMeanGrid(const openvdb::GridBase::Ptr& grid)
+openvdb::GridBase::Ptr NewMeanGrid(const openvdb::GridBase::Ptr& grid)
 {
   const bool isReal = grid->isType<openvdb::DoubleGrid>() || grid->isType<openvdb::Vec3DGrid>() ||
     grid->isType<openvdb::Vec3SGrid>();
   return isReal ? grid : NewGrid<openvdb::FloatGrid>();
 }
 
-std::string addParticles(const VdbWriteSettings& settings, vtkDataSet* data, Volume& volume)
+std::string AddParticles(const VdbWriteSettings& settings, vtkDataSet* data, Volume& volume)
 {
   vtkDataArray* masses = nullptr;
   if (!settings.MassArray.empty())
@@ -173,24 +173,24 @@ std::string addParticles(const VdbWriteSettings& settings, vtkDataSet* data, Vol
   }
   openvdb::GridBase::Ptr density = NewGrid<openvdb::FloatGrid>();
   particles.FillDensity(*density);
-  addGrid(settings, density, "density", volume);
-  forArrays(settings, data->GetPointData(), volume,
+  AddGrid(settings, density, "density", volume);
+  ForArrays(settings, data->GetPointData(), volume,
     [&](vtkDataArray* array, const std::string& name, openvdb::GridBase::Ptr& grid) {
       if (name != settings.MassArray)
       {
-        grid = newMeanGrid(grid);
-        warnOfNotFinite(name, particles.FillMean(*grid, array), volume);
-        addGrid(settings, grid, name, volume);
+        grid = NewMeanGrid(grid);
+        WarnOfNotFinite(name, particles.FillMean(*grid, array), volume);
+        AddGrid(settings, grid, name, volume);
       }
     });
   return {};
 }
 
-std::string addAll(const VdbWriteSettings& settings, vtkDataSet* data, Volume& volume)
+std::string AddAll(const VdbWriteSettings& settings, vtkDataSet* data, Volume& volume)
 {
   if (auto* image = vtkImageData::SafeDownCast(data))
   {
-    addImage(settings, image, volume);
+    AddImage(settings, image, volume);
     return {};
   }
   const std::string resample =
@@ -208,7 +208,7 @@ std::string addAll(const VdbWriteSettings& settings, vtkDataSet* data, Volume& v
   const LatticePoints voxels = FindLatticePoints(data);
   if (!voxels.Boxes.empty())
   {
-    addVoxels(settings, voxels, data, volume);
+    AddVoxels(settings, voxels, data, volume);
     return {};
   }
   if (data->GetFieldData()->GetArray("IndexToWorld"))
@@ -216,10 +216,10 @@ std::string addAll(const VdbWriteSettings& settings, vtkDataSet* data, Volume& v
     volume.Warnings.push_back(
       "The points are not at the voxels that their field data array 'IndexToWorld' tells: they are written as particles.");
   }
-  return addParticles(settings, data, volume);
+  return AddParticles(settings, data, volume);
 }
 
-std::string checkChoice(const VdbWriteSettings& settings, vtkDataSet* data)
+std::string CheckChoice(const VdbWriteSettings& settings, vtkDataSet* data)
 {
   for (const std::string& wanted : settings.Arrays)
   {
@@ -232,7 +232,7 @@ std::string checkChoice(const VdbWriteSettings& settings, vtkDataSet* data)
   return {};
 }
 
-std::string checkNames(const std::vector<std::string>& names)
+std::string CheckNames(const std::vector<std::string>& names)
 {
   for (const std::string& name : names)
   {
@@ -245,7 +245,7 @@ std::string checkNames(const std::vector<std::string>& names)
   return names.empty() ? "The input has no arrays of one or three components to write." : "";
 }
 
-std::uint32_t flagsOf(VdbCompression compression, std::vector<std::string>& warnings)
+std::uint32_t FlagsOf(VdbCompression compression, std::vector<std::string>& warnings)
 {
   std::uint32_t flags = openvdb::io::COMPRESS_ACTIVE_MASK;
   if (compression == VdbCompression::Blosc && openvdb::io::Archive::hasBloscCompression())
@@ -260,13 +260,13 @@ std::uint32_t flagsOf(VdbCompression compression, std::vector<std::string>& warn
 }
 
 // Writes to a temporary file first, so that a full disk leaves no incomplete file under the name.
-std::string writeFile(const VdbWriteSettings& settings, const Volume& volume)
+std::string WriteFile(const VdbWriteSettings& settings, const Volume& volume)
 {
   const std::string part = settings.File + ".part";
   try
   {
     openvdb::io::File file(part);
-    file.setCompression(flagsOf(settings.Compression, volume.Warnings));
+    file.setCompression(FlagsOf(settings.Compression, volume.Warnings));
     file.write(volume.Grids);
     file.close();
   }
@@ -295,10 +295,10 @@ std::string WriteVdb(
     return "The input has no points: there is nothing to write.";
   }
   Volume volume{ {}, {}, warnings };
-  std::string error = checkChoice(settings, data);
+  std::string error = CheckChoice(settings, data);
   try
   {
-    error = error.empty() ? addAll(settings, data, volume) : error;
+    error = error.empty() ? AddAll(settings, data, volume) : error;
   }
   catch (const std::exception& exception) // OpenVDB takes a matrix of voxels of 1e-9 for singular
   {
@@ -307,9 +307,9 @@ std::string WriteVdb(
   }
   if (error.empty())
   {
-    error = checkNames(volume.Names);
+    error = CheckNames(volume.Names);
   }
-  return error.empty() ? writeFile(settings, volume) : error;
+  return error.empty() ? WriteFile(settings, volume) : error;
 }
 
 } // namespace nephoscope

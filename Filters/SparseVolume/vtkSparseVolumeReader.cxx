@@ -53,7 +53,7 @@ namespace
 constexpr double gibibyte = 1024.0 * 1024.0 * 1024.0;
 
 // The extent of the union of all grids on the lattice of the first.
-void joinExtents(const std::vector<VdbGridInfo>& grids, int extent[6])
+void JoinExtents(const std::vector<VdbGridInfo>& grids, int extent[6])
 {
   std::copy_n(VdbGridInfo().Extent, 6, extent);
   for (const VdbGridInfo& grid : grids)
@@ -73,13 +73,13 @@ void joinExtents(const std::vector<VdbGridInfo>& grids, int extent[6])
 }
 
 // An image's direction times its spacing are the columns of the matrix; handedness goes into the direction.
-void decompose(const AffineMatrix& matrix, double origin[3], double spacing[3], double direction[9])
+void Decompose(const AffineMatrix& matrix, double origin[3], double spacing[3], double direction[9])
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     origin[axis] = matrix[4 * axis + 3];
     const nephoscope::Vector3 edge = nephoscope::Column(matrix, axis);
-    spacing[axis] = nephoscope::norm(edge);
+    spacing[axis] = nephoscope::Norm(edge);
     for (std::size_t row = 0; row < 3; ++row)
     {
       direction[3 * row + axis] = edge[row] / spacing[axis];
@@ -88,7 +88,7 @@ void decompose(const AffineMatrix& matrix, double origin[3], double spacing[3], 
 }
 
 // Dimensions beyond an int are not an extent that VTK can take.
-bool fits(const int extent[6])
+bool Fits(const int extent[6])
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -100,14 +100,14 @@ bool fits(const int extent[6])
   return true;
 }
 
-std::string readImage(
+std::string ReadImage(
   const nephoscope::VdbRequest& request, vtkImageData* image, std::vector<std::string>& warnings)
 {
   int extent[6];
   double origin[3], spacing[3], direction[9];
-  joinExtents(request.Grids, extent);
-  decompose(request.Grids[0].IndexToWorld, origin, spacing, direction);
-  if (!fits(extent))
+  JoinExtents(request.Grids, extent);
+  Decompose(request.Grids[0].IndexToWorld, origin, spacing, direction);
+  if (!Fits(extent))
   {
     return "The active voxels of the grid '" + request.Grids[0].Name +
       "' span more indices than an image can have: read them as points.";
@@ -119,13 +119,13 @@ std::string readImage(
   return nephoscope::ReadVdbImage(request, image, warnings);
 }
 
-std::string read(
+std::string Read(
   const nephoscope::VdbRequest& request, vtkDataObject* output, std::vector<std::string>& warnings)
 {
   try
   {
     vtkImageData* image = vtkImageData::SafeDownCast(output);
-    return image ? readImage(request, image, warnings)
+    return image ? ReadImage(request, image, warnings)
                  : nephoscope::ReadVdbPoints(request, vtkPolyData::SafeDownCast(output), warnings);
   }
   catch (const std::bad_alloc&)
@@ -136,7 +136,7 @@ std::string read(
 }
 
 // The problem with a file name, or an empty string.
-std::string checkFile(const std::string& name)
+std::string CheckFile(const std::string& name)
 {
   if (name.empty())
   {
@@ -328,7 +328,7 @@ int vtkSparseVolumeReader::RequestDataObject(
 }
 
 // The grids that are chosen, with that of the smallest voxels, which gives the lattice, first.
-static std::vector<VdbGridInfo> chosenGrids(
+static std::vector<VdbGridInfo> ChosenGrids(
   const std::vector<VdbGridInfo>& grids, vtkDataArraySelection* selection)
 {
   std::vector<VdbGridInfo> chosen;
@@ -357,7 +357,7 @@ int vtkSparseVolumeReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInternals& self = *this->Internals;
-  std::string error = checkFile(this->FileName);
+  std::string error = CheckFile(this->FileName);
   const long int changed = error.empty() ? vtksys::SystemTools::ModifiedTime(this->FileName) : 0;
   if (error.empty() && (self.ListedFile != this->FileName || self.ListedTime != changed))
   {
@@ -383,14 +383,14 @@ int vtkSparseVolumeReader::RequestInformation(
     }
   }
   vtkInformation* info = outputs->GetInformationObject(0);
-  const std::vector<VdbGridInfo> chosen = chosenGrids(self.Grids, this->GridSelection);
+  const std::vector<VdbGridInfo> chosen = ChosenGrids(self.Grids, this->GridSelection);
   if (this->OutputType == IMAGE && !chosen.empty())
   {
     int extent[6];
     double origin[3], spacing[3], direction[9];
-    joinExtents(chosen, extent);
-    decompose(chosen[0].IndexToWorld, origin, spacing, direction);
-    if (fits(extent))
+    JoinExtents(chosen, extent);
+    Decompose(chosen[0].IndexToWorld, origin, spacing, direction);
+    if (Fits(extent))
     {
       info->Set(SDDP::WHOLE_EXTENT(), extent, 6);
     }
@@ -407,7 +407,7 @@ int vtkSparseVolumeReader::RequestData(
   vtkInternals& self = *this->Internals;
   nephoscope::VdbRequest request;
   request.File = this->FileName;
-  request.Grids = chosenGrids(self.Grids, this->GridSelection);
+  request.Grids = ChosenGrids(self.Grids, this->GridSelection);
   request.SplitTiles = this->SplitTiles;
   request.MemoryLimit = this->MemoryLimit * gibibyte;
   request.Aborted = [this]() { return this->GetAbortExecute() != 0; };
@@ -417,7 +417,7 @@ int vtkSparseVolumeReader::RequestData(
   if (error.empty() && !request.Grids[0].IsEmpty())
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs);
-    nephoscope::withThreads([&]() { error = read(request, output, warnings); });
+    nephoscope::WithThreads([&]() { error = Read(request, output, warnings); });
   }
   for (const std::string& warning : warnings)
   {

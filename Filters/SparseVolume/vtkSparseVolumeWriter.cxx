@@ -81,7 +81,7 @@ void vtkSparseVolumeWriter::WriteData()
   }
   else
   {
-    nephoscope::withThreads([&]() { error = nephoscope::WriteVdb(settings, data, warnings); });
+    nephoscope::WithThreads([&]() { error = nephoscope::WriteVdb(settings, data, warnings); });
   }
   for (const std::string& warning : warnings)
   {

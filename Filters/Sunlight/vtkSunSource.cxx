@@ -38,7 +38,7 @@ int vtkSunSource::RequestData(
   if (!this->DateTime.empty())
   {
     double days = 0;
-    if (!nephoscope::daysOf(this->DateTime, days) || !std::isfinite(this->HoursLater))
+    if (!nephoscope::DaysOf(this->DateTime, days) || !std::isfinite(this->HoursLater))
     {
       vtkErrorMacro(
         << "DateTime is '" << this->DateTime << "' and HoursLater " << this->HoursLater
@@ -46,9 +46,10 @@ int vtkSunSource::RequestData(
       nephoscope::FailureCode::Set(this, true);
       return 1; // without a sun
     }
-    const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days + this->HoursLater / 24);
-    sun.Direction = nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
-    sun.DirectionOnGlobe = nephoscope::towardsSunOnGlobe(place);
+    const nephoscope::SubsolarPoint place =
+      nephoscope::FindSubsolarPoint(days + this->HoursLater / 24);
+    sun.Direction = nephoscope::TowardsSunAt(place, this->Longitude, this->Latitude);
+    sun.DirectionOnGlobe = nephoscope::TowardsSunOnGlobe(place);
   }
   else
   {
@@ -65,7 +66,7 @@ int vtkSunSource::RequestData(
     sun.DirectionOnGlobe = sun.Direction;
   }
   nephoscope::FailureCode::Set(this, false);
-  nephoscope::writeSun(sun, vtkPolyData::GetData(outputs));
+  nephoscope::WriteSun(sun, vtkPolyData::GetData(outputs));
   return 1;
 }
 

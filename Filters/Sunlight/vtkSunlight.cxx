@@ -34,24 +34,24 @@
 
 vtkStandardNewMacro(vtkSunlight);
 
-using nephoscope::addPointArray;
-using nephoscope::dot;
-using nephoscope::quotedArrayNames;
+using nephoscope::AddPointArray;
+using nephoscope::Dot;
+using nephoscope::QuotedArrayNames;
 
 namespace
 {
 const char* const noExtinctionName = "NephoscopeNoExtinction"; // removed afterwards
 
 // Behind the planet there is no sun.
-bool isInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& place,
+bool IsInShadow(const nephoscope::Planet& planet, const std::array<double, 3>& place,
   const std::array<double, 3>& sun)
 {
   if (planet.Radius <= 0)
   {
-    return dot(planet.Up, sun) < 0; // of flat ground
+    return Dot(planet.Up, sun) < 0; // of flat ground
   }
-  const double along = dot(place, sun);
-  return along < 0 && dot(place, place) - along * along < planet.Radius * planet.Radius;
+  const double along = Dot(place, sun);
+  return along < 0 && Dot(place, place) - along * along < planet.Radius * planet.Radius;
 }
 
 }
@@ -72,7 +72,7 @@ int vtkSunlight::FillInputPortInformation(int port, vtkInformation* info)
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port > 0);
   if (port == 0)
   {
-    nephoscope::takeAnyData(info);
+    nephoscope::TakeAnyData(info);
   }
   if (port == 1) // first, so that the pipeline does not iterate over its blocks
   {
@@ -94,15 +94,15 @@ bool vtkSunlight::Check(vtkDataSet* data)
   if (!array)
   {
     vtkErrorMacro(
-      << nephoscope::inBlock(this, data) << "There is no array '" << this->ExtinctionArrayName
+      << nephoscope::InBlock(this, data) << "There is no array '" << this->ExtinctionArrayName
       << "' of the extinction. Make one by Cloud Optics, or set ExtinctionArrayName. Point arrays: "
-      << quotedArrayNames(data->GetPointData()) << "; cell arrays: "
-      << quotedArrayNames(data->GetCellData()) << "." << this->Blocks->NorInOthers());
+      << QuotedArrayNames(data->GetPointData()) << "; cell arrays: "
+      << QuotedArrayNames(data->GetCellData()) << "." << this->Blocks->NorInOthers());
     return false;
   }
   if (array->GetNumberOfComponents() != 1)
   {
-    vtkErrorMacro(<< nephoscope::inBlock(this, data) << "The array '" << this->ExtinctionArrayName
+    vtkErrorMacro(<< nephoscope::InBlock(this, data) << "The array '" << this->ExtinctionArrayName
                   << "' has " << array->GetNumberOfComponents()
                   << " components; an extinction has one.");
     return false;
@@ -127,7 +127,7 @@ bool vtkSunlight::HasExtinction(vtkDataSet* data) const
 {
   const char* name = this->ExtinctionArrayName.c_str();
   return data->GetPointData()->HasArray(name) || data->GetCellData()->HasArray(name) ||
-    (this->ExtinctionArrayName == "Extinction" && nephoscope::smokeDensity(data));
+    (this->ExtinctionArrayName == "Extinction" && nephoscope::SmokeDensity(data));
 }
 
 // Such as the ground: light reaches it, and goes no further.
@@ -155,7 +155,7 @@ bool vtkSunlight::IsSurfaceBelowClouds(vtkDataSet* data)
 // Irradiance from the sky, which fades with twilight.
 float vtkSunlight::SkyAt(const std::array<double, 3>& place, const Work& work) const
 {
-  const double elevation = dot(work.Planet.UpAt(place), work.Sun);
+  const double elevation = Dot(work.Planet.UpAt(place), work.Sun);
   return static_cast<float>(this->SkyLight * std::max(0.0, std::min(1.0, (elevation + 0.1) / 1.1)));
 }
 
@@ -168,25 +168,25 @@ void vtkSunlight::TakeForClearAir(vtkDataSet* data)
     return;
   }
   vtkWarningMacro(
-    << nephoscope::inBlock(this, data) << "It has no array '" << name
+    << nephoscope::InBlock(this, data) << "It has no array '" << name
     << "' of the extinction and is treated as clear air. Make the array by Cloud Optics, if there are clouds.");
-  addPointArray(data, name.c_str())->FillValue(0.0f);
+  AddPointArray(data, name.c_str())->FillValue(0.0f);
 }
 
 void vtkSunlight::ReadOptics(vtkDataSet* data, Work& work)
 {
   vtkIdType ignored = 0, wrong = 0;
   work.Extinction =
-    nephoscope::valuesOf(data, this->UsedExtinction, 0, this->ExtinctionScale, wrong);
-  work.Albedo = nephoscope::valuesOf(data, this->AlbedoArrayName, this->Albedo, 1, ignored);
+    nephoscope::ValuesOf(data, this->UsedExtinction, 0, this->ExtinctionScale, wrong);
+  work.Albedo = nephoscope::ValuesOf(data, this->AlbedoArrayName, this->Albedo, 1, ignored);
   work.Asymmetry =
-    nephoscope::valuesOf(data, this->AsymmetryArrayName, this->Asymmetry, 1, ignored);
+    nephoscope::ValuesOf(data, this->AsymmetryArrayName, this->Asymmetry, 1, ignored);
   this->WarnOfValues(wrong);
 }
 
 void vtkSunlight::ScaleOptics(Work& work) const
 {
-  nephoscope::cutResidues(work.Extinction);
+  nephoscope::CutResidues(work.Extinction);
   work.Scaled = work.Extinction;
   double sum = 0, whole = 1e-30;
   for (std::size_t p = 0; p < work.Scaled.size(); ++p)
@@ -198,7 +198,7 @@ void vtkSunlight::ScaleOptics(Work& work) const
   for (std::size_t p = 0; p < work.Scaled.size() && this->MultipleScattering; ++p)
   {
     const nephoscope::ScaledMedium medium =
-      nephoscope::scaled(work.Extinction[p], std::min(work.Albedo[p], 1.0f), work.Asymmetry[p]);
+      nephoscope::Scaled(work.Extinction[p], std::min(work.Albedo[p], 1.0f), work.Asymmetry[p]);
     work.Scaled[p] = static_cast<float>(medium.Extinction);
     work.Albedo[p] = static_cast<float>(medium.Albedo);
     work.Asymmetry[p] = static_cast<float>(medium.Asymmetry);
@@ -223,13 +223,13 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
     fields[p] = { { work.Extinction[p], work.Scaled[p] } };
   }
   const std::unique_ptr<nephoscope::SunPaths> paths =
-    nephoscope::sunPathsOf(data, work.Places, fields, work.Sun, work.Repeats);
+    nephoscope::SunPathsOf(data, work.Places, fields, work.Sun, work.Repeats);
   work.Transmittance.assign(fields.size(), 0.0f);
   constexpr double mostByDay = 0.99 * nephoscope::LightGrid::Night;
   work.ScaledDepth.assign(fields.size(), nephoscope::LightGrid::Night);
   work.DiffuseDepth = work.ScaledDepth;
   const auto isLit = [&](
-                       vtkIdType p) { return !isInShadow(work.Planet, work.Places[p], work.Sun); };
+                       vtkIdType p) { return !IsInShadow(work.Planet, work.Places[p], work.Sun); };
   const auto trace = [&](vtkIdType begin, vtkIdType end) {
     std::vector<std::array<double, 2>> depths;
     for (vtkIdType p = begin, next = begin; p < end; p = next + 1)
@@ -257,7 +257,7 @@ bool vtkSunlight::TraceSun(vtkDataSet* data, Work& work)
     {
       return false;
     }
-    nephoscope::inParallel(std::min(count - first, stretch),
+    nephoscope::InParallel(std::min(count - first, stretch),
       [&](vtkIdType begin, vtkIdType end) { trace(first + begin, first + end); });
   }
   return true;
@@ -270,7 +270,7 @@ bool vtkSunlight::Shade(Work& work)
   {
     return true;
   }
-  nephoscope::CloudShadow shadow = nephoscope::cloudShadow(clouds, work.Places, work.Sun);
+  nephoscope::CloudShadow shadow = nephoscope::FindCloudShadow(clouds, work.Places, work.Sun);
   work.Shadow = std::move(shadow.Fraction);
   work.BelowClouds = std::move(shadow.Irradiance);
   if (work.Shadow.empty() && !work.Places.empty())
@@ -314,7 +314,7 @@ bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
 bool vtkSunlight::ComputeLight(vtkDataSet* data, Work& work)
 {
   work.Planet = this->PlanetOf(data);
-  work.Places = nephoscope::placesOf(data);
+  work.Places = nephoscope::PlacesOf(data);
   this->ScaleOptics(work);
   if (!this->GoOn(0.1))
   {
@@ -367,7 +367,7 @@ bool vtkSunlight::AddLight(vtkDataSet* data, vtkDataSet* input)
 vtkTypeBool vtkSunlight::ProcessRequest(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (nephoscope::hasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
+  if (nephoscope::HasOtherInput(this, this->ToldOfInput, request, inputs, outputs, { "vtkDataSet" },
         "It must be a dataset with points and cells."))
   {
     return 1;
@@ -379,7 +379,7 @@ vtkTypeBool vtkSunlight::ProcessRequest(
 void vtkSunlight::ChooseExtinction(vtkDataSet* data)
 {
   const bool isSmoke = this->ExtinctionArrayName == "Extinction" &&
-    nephoscope::addSmokeOptics(data, this->AlbedoArrayName, this->AsymmetryArrayName);
+    nephoscope::AddSmokeOptics(data, this->AlbedoArrayName, this->AsymmetryArrayName);
   this->UsedExtinction = isSmoke ? nephoscope::smokeExtinctionName : this->ExtinctionArrayName;
 }
 
@@ -389,7 +389,7 @@ int vtkSunlight::RequestData(
   vtkDataSet* input = vtkDataSet::GetData(inputs[0], 0);
   vtkDataSet* output = vtkDataSet::GetData(outputs, 0);
   output->ShallowCopy(input);
-  if (nephoscope::isEmptyInput(this, this->ToldOfEmptiness, inputs, outputs))
+  if (nephoscope::IsEmptyInput(this, this->ToldOfEmptiness, inputs, outputs))
   {
     return 1;
   }
@@ -419,7 +419,7 @@ int vtkSunlight::RequestData(
   if (this->OnSurface)
   {
     this->UsedExtinction = noExtinctionName;
-    addPointArray(output, noExtinctionName)->FillValue(0.0f);
+    AddPointArray(output, noExtinctionName)->FillValue(0.0f);
   }
   nephoscope::CloudPart* part = this->FindPart(input);
   const bool success = part ? this->AddJointLight(output, *part) : this->AddLight(output, input);

@@ -306,8 +306,8 @@ private:
   bool ToldOfPieces = false, ToldOfPlace = false;
   bool OnSurface = false;                              // without a medium, below clouds
   bool OnCells = false;                                // the extinction is on cells
-  vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for isEmptyInput and ReportOnce
-  vtkMTimeType ToldOfInput = 0;                        // for hasOtherInput
+  vtkMTimeType ToldOfEmptiness = 0, Failed = 0;        // for IsEmptyInput and ReportOnce
+  vtkMTimeType ToldOfInput = 0;                        // for HasOtherInput
   std::unique_ptr<nephoscope::BlocksWithArray> Blocks; // some may lack the array
   std::unique_ptr<Work> Last;                          // kept for another eye
   std::vector<double> LastState;                       // that it was computed for

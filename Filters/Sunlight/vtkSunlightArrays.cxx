@@ -20,8 +20,8 @@
 #include <array>
 #include <cmath>
 
-using nephoscope::addPointArray;
-using nephoscope::dot;
+using nephoscope::AddPointArray;
+using nephoscope::Dot;
 
 // Light straight from the sun is scattered with the whole phase function, that which has been scattered straight on before with what makes two scatterings exact (README.md).
 double vtkSunlight::PhaseTowardsEye(const Work& work, std::size_t p, double cosine) const
@@ -29,23 +29,23 @@ double vtkSunlight::PhaseTowardsEye(const Work& work, std::size_t p, double cosi
   const double scaled = work.Asymmetry[p], light = std::exp(-double(work.ScaledDepth[p]));
   if (!this->MultipleScattering || !(light > 0))
   {
-    return nephoscope::henyeyGreenstein(scaled, cosine);
+    return nephoscope::HenyeyGreenstein(scaled, cosine);
   }
   const double whole = scaled / (1 - scaled); // the asymmetry parameter that was scaled
   const double straight = std::min(work.Transmittance[p] / light, 1.0);
-  return straight * nephoscope::henyeyGreenstein(whole, cosine) / (1 - whole * whole) +
-    (1 - straight) * nephoscope::afterForwardScattering(whole, cosine);
+  return straight * nephoscope::HenyeyGreenstein(whole, cosine) / (1 - whole * whole) +
+    (1 - straight) * nephoscope::AfterForwardScattering(whole, cosine);
 }
 
 void vtkSunlight::Write(vtkDataSet* data, const Work& work)
 {
-  vtkFloatArray* light = addPointArray(data, "Sunlight");
-  vtkFloatArray* extinction = addPointArray(data, "ScaledExtinction");
-  vtkFloatArray* transmittance = addPointArray(data, "SunTransmittance");
-  vtkFloatArray* irradiance = addPointArray(data, "Irradiance");
-  vtkFloatArray* upward = addPointArray(data, "UpwardIrradiance");
-  vtkFloatArray* absorbed = addPointArray(data, "AbsorbedLight");
-  nephoscope::inParallel(data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+  vtkFloatArray* light = AddPointArray(data, "Sunlight");
+  vtkFloatArray* extinction = AddPointArray(data, "ScaledExtinction");
+  vtkFloatArray* transmittance = AddPointArray(data, "SunTransmittance");
+  vtkFloatArray* irradiance = AddPointArray(data, "Irradiance");
+  vtkFloatArray* upward = AddPointArray(data, "UpwardIrradiance");
+  vtkFloatArray* absorbed = AddPointArray(data, "AbsorbedLight");
+  nephoscope::InParallel(data->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType p = begin; p < end; ++p)
     {
       const std::array<double, 3> up = work.Planet.UpAt(work.Places[p]);
@@ -60,13 +60,13 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
         {
           toEye[c] -= work.Places[p][c];
         }
-        const double length = std::max(std::sqrt(dot(toEye, toEye)), 1e-300);
-        beam = this->PhaseTowardsEye(work, p, -dot(toEye, work.Sun) / length);
+        const double length = std::max(std::sqrt(Dot(toEye, toEye)), 1e-300);
+        beam = this->PhaseTowardsEye(work, p, -Dot(toEye, work.Sun) / length);
         directed = 3 * work.Asymmetry[p] *
             (toEye[0] * work.Flux[p][0] + toEye[1] * work.Flux[p][1] + toEye[2] * work.Flux[p][2]) /
             length +
-          nephoscope::secondMomentFactor(work.Asymmetry[p]) *
-            nephoscope::secondLegendre(dot(toEye, up) / length) * work.SecondMoment[p];
+          nephoscope::SecondMomentFactor(work.Asymmetry[p]) *
+            nephoscope::SecondLegendre(Dot(toEye, up) / length) * work.SecondMoment[p];
       }
       const double source =
         0.25 * work.Albedo[p] * std::max(work.Fluence[p] + directed + beam * sunlight, 0.0);
@@ -75,7 +75,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
       const bool isBelow = this->OnSurface && !work.BelowClouds.empty() && work.BelowClouds[p] >= 0;
       const double arriving = isBelow
         ? work.BelowClouds[p]
-        : std::max(std::max(dot(up, work.Sun), 0.0) * sunlight + work.Down[p], 0.0);
+        : std::max(std::max(Dot(up, work.Sun), 0.0) * sunlight + work.Down[p], 0.0);
       irradiance->SetValue(p, static_cast<float>(arriving));
       light->SetValue(p, static_cast<float>(this->OnSurface ? arriving : source));
       upward->SetValue(p, work.Up[p]);
@@ -84,7 +84,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
   });
   if (this->FollowCamera)
   {
-    nephoscope::addDirectionalLight(data,
+    nephoscope::AddDirectionalLight(data,
       { work.Extinction, work.Albedo, work.Asymmetry, work.Transmittance, work.ScaledDepth,
         work.Shadow, work.Flux, work.SecondMoment, this->MultipleScattering },
       static_cast<nephoscope::PhaseKind>(this->PhaseFunction));

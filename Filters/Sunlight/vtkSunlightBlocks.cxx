@@ -23,7 +23,7 @@
 namespace
 {
 // An array of several components is an error of its own block.
-bool isScalar(vtkDataSet* data, const std::string& name)
+bool IsScalar(vtkDataSet* data, const std::string& name)
 {
   vtkDataArray* onPoints = data->GetPointData()->GetArray(name.c_str());
   vtkDataArray* array = onPoints ? onPoints : data->GetCellData()->GetArray(name.c_str());
@@ -37,7 +37,7 @@ void vtkSunlight::JoinClouds()
   this->JoinShadingClouds();
   vtkDataObject* input =
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
-  vtkMultiProcessController* ranks = nephoscope::ranksOfPieces(this);
+  vtkMultiProcessController* ranks = nephoscope::RanksOfPieces(this);
   const bool isComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
   // A grid is whole on each rank.
   if (!input || (!isComposite && (!ranks || nephoscope::IsStructured(input))))
@@ -50,7 +50,7 @@ void vtkSunlight::JoinClouds()
   nephoscope::ForEachLeaf(input, [&](vtkDataObject* leaf) {
     auto* data = vtkDataSet::SafeDownCast(leaf);
     if (data && data->GetNumberOfPoints() > 0 && this->HasExtinction(data) &&
-      isScalar(data, this->ExtinctionArrayName))
+      IsScalar(data, this->ExtinctionArrayName))
     {
       clouds.emplace_back(data);
       state.push_back(static_cast<double>(data->GetMTime()));
@@ -64,7 +64,7 @@ void vtkSunlight::JoinClouds()
     this->Joined.reset();
     return;
   }
-  if (nephoscope::isTrueOfAnyPiece(this, !this->Joined || this->Joined->State != state))
+  if (nephoscope::IsTrueOfAnyPiece(this, !this->Joined || this->Joined->State != state))
   {
     this->Joined = std::make_unique<Joint>();
     this->Joined->State = std::move(state);
@@ -82,7 +82,7 @@ void vtkSunlight::JoinShadingClouds()
 {
   vtkDataObject* input =
     this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
-  vtkMultiProcessController* ranks = nephoscope::ranksOfPieces(this);
+  vtkMultiProcessController* ranks = nephoscope::RanksOfPieces(this);
   this->JoinedShading = nullptr;
   if (!input || (vtkDataSet::SafeDownCast(input) && (!ranks || nephoscope::IsStructured(input))))
   {
@@ -98,7 +98,7 @@ void vtkSunlight::JoinShadingClouds()
       clouds.Parts.emplace_back(data, light);
     }
   });
-  const bool areAnyLit = nephoscope::isTrueOfAnyPiece(this, !clouds.Parts.empty());
+  const bool areAnyLit = nephoscope::IsTrueOfAnyPiece(this, !clouds.Parts.empty());
   clouds.Join(ranks);
   this->JoinedShading = clouds.Mesh;
   const std::vector<float>* values[] = { &clouds.Optics.Extinction, &clouds.Optics.Albedo,
@@ -106,7 +106,7 @@ void vtkSunlight::JoinShadingClouds()
   for (int k = 0; k < 3 && areAnyLit; ++k)
   {
     std::copy(values[k]->begin(), values[k]->end(),
-      nephoscope::addPointArray(clouds.Mesh, light[k].Name.c_str())->GetPointer(0));
+      nephoscope::AddPointArray(clouds.Mesh, light[k].Name.c_str())->GetPointer(0));
   }
 }
 
@@ -176,7 +176,7 @@ bool vtkSunlight::AddJointLight(vtkDataSet* data, nephoscope::CloudPart& part)
     this->Joined->Told = true;
   }
   Work own = this->Joined->Light->At(part.Numbers);
-  own.Places = nephoscope::placesOf(data);
+  own.Places = nephoscope::PlacesOf(data);
   if (part.Weights.empty()) // a block keeps its own values, even where blocks meet
   {
     own.Extinction = part.Optics.Extinction;

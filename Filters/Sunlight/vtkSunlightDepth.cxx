@@ -22,7 +22,7 @@ namespace
 constexpr vtkIdType mostSamples = 500;
 constexpr double opaqueCell = 30, clearData = 0.003; // optical depths
 
-double shortestEdge(vtkGenericCell* cell)
+double ShortestEdge(vtkGenericCell* cell)
 {
   double shortest = VTK_DOUBLE_MAX;
   for (int e = 0; e < cell->GetNumberOfEdges(); ++e)
@@ -38,7 +38,7 @@ double shortestEdge(vtkGenericCell* cell)
 }
 
 // The optical depth along the shortest edge that half of the 3-D cells exceed; clear cells count.
-double medianDepth(vtkDataSet* data, const std::vector<float>& extinction)
+double MedianDepth(vtkDataSet* data, const std::vector<float>& extinction)
 {
   std::vector<double> depths;
   vtkNew<vtkGenericCell> cell;
@@ -55,7 +55,7 @@ double medianDepth(vtkDataSet* data, const std::vector<float>& extinction)
     {
       sum += extinction[cell->GetPointId(static_cast<int>(k))];
     }
-    depths.push_back(sum / cell->GetNumberOfPoints() * shortestEdge(cell));
+    depths.push_back(sum / cell->GetNumberOfPoints() * ShortestEdge(cell));
   }
   if (depths.empty())
   {
@@ -66,7 +66,7 @@ double medianDepth(vtkDataSet* data, const std::vector<float>& extinction)
 }
 
 // The part of the beam at a side of the grid that enters there and meets clouds.
-double beamThroughSide(const nephoscope::LightGrid& grid, std::size_t p, int axis, bool isLast)
+double BeamThroughSide(const nephoscope::LightGrid& grid, std::size_t p, int axis, bool isLast)
 {
   const double inwards = (isLast ? -1 : 1) * grid.SunAt(p)[axis],
                width = grid.Step[p][axis] * (grid.Size[axis] - 1),
@@ -76,7 +76,7 @@ double beamThroughSide(const nephoscope::LightGrid& grid, std::size_t p, int axi
 }
 
 // Power of the beam through the cloudy sides, as a fraction of that through the top.
-double fractionThroughSides(const nephoscope::LightGrid& grid)
+double FractionThroughSides(const nephoscope::LightGrid& grid)
 {
   double top = 0, sides = 0;
   for (std::size_t p = 0; p < grid.Points(); ++p)
@@ -87,7 +87,7 @@ double fractionThroughSides(const nephoscope::LightGrid& grid)
       for (const bool isLast : { false, true })
       {
         const bool isSide = !grid.Closed[axis] && index[axis] == (isLast ? grid.Size[axis] - 1 : 0);
-        sides += isSide ? beamThroughSide(grid, p, axis, isLast) : 0;
+        sides += isSide ? BeamThroughSide(grid, p, axis, isLast) : 0;
       }
     }
     const bool isTop = p + grid.Columns() >= grid.Points();
@@ -96,7 +96,7 @@ double fractionThroughSides(const nephoscope::LightGrid& grid)
   return top > 0 ? sides / top : 0;
 }
 
-double withOneDigit(double value)
+double WithOneDigit(double value)
 {
   const double unit = std::pow(10.0, std::floor(std::log10(value)));
   return std::round(value / unit) * unit;
@@ -109,19 +109,19 @@ void vtkSunlight::WarnOfDepth(vtkDataSet* data, const Work& work)
     work.Extinction.empty() ? 0 : *std::max_element(work.Extinction.begin(), work.Extinction.end());
   const char* remedy =
     "The extinction is per unit of length of the data: set ExtinctionScale, such as ";
-  const double cell = medianDepth(data, work.Extinction), whole = densest * data->GetLength();
+  const double cell = MedianDepth(data, work.Extinction), whole = densest * data->GetLength();
   if (cell > opaqueCell)
   {
-    vtkWarningMacro(<< "Half of the cells have an optical depth above " << withOneDigit(cell)
+    vtkWarningMacro(<< "Half of the cells have an optical depth above " << WithOneDigit(cell)
                     << " along their shortest edge, so only the outer faces are visible. " << remedy
-                    << withOneDigit(this->ExtinctionScale / cell) << ", if '"
+                    << WithOneDigit(this->ExtinctionScale / cell) << ", if '"
                     << this->UsedExtinction << "' is not an extinction or has another unit.");
   }
   else if (densest > 0 && whole < clearData)
   {
     vtkWarningMacro(
       << "The clouds are hardly visible: their maximum optical depth across the data is "
-      << withOneDigit(whole) << ". " << remedy << withOneDigit(this->ExtinctionScale * 10 / whole)
+      << WithOneDigit(whole) << ". " << remedy << WithOneDigit(this->ExtinctionScale * 10 / whole)
       << ", if '" << this->UsedExtinction << "' has another unit.");
   }
 }
@@ -129,11 +129,11 @@ void vtkSunlight::WarnOfDepth(vtkDataSet* data, const Work& work)
 void vtkSunlight::WarnOfSides(const nephoscope::LightGrid& grid)
 {
   constexpr double much = 0.5;
-  const double fraction = fractionThroughSides(grid);
+  const double fraction = FractionThroughSides(grid);
   if (fraction > much)
   {
     vtkWarningMacro(
-      << "Clouds reach the sides of the data, and " << withOneDigit(fraction)
+      << "Clouds reach the sides of the data, and " << WithOneDigit(fraction)
       << " times as much sunlight enters there as from above. The sides are mirrors for diffuse light, which cannot leave, so the light is too bright. "
          "Turn PeriodicSides on for clouds that repeat, or surround the clouds by clear air.");
   }

@@ -24,14 +24,14 @@
 #include <utility>
 #include <vector>
 
-using nephoscope::addPointArray;
-using nephoscope::dot;
+using nephoscope::AddPointArray;
+using nephoscope::Dot;
 using nephoscope::Vector;
 
 namespace
 {
 // From the medium that is drawn to that of the diffuse light, which keeps more of the forward peak.
-void scaleForDiffuse(
+void ScaleForDiffuse(
   nephoscope::LightGrid& grid, const std::vector<float>& extinction, double taken)
 {
   grid.Second.resize(grid.Points());
@@ -40,7 +40,7 @@ void scaleForDiffuse(
     const double g = grid.Asymmetry[p] / (1.0 - grid.Asymmetry[p]), peak = g * g;
     const double albedo = grid.Albedo[p] / (1 - peak + grid.Albedo[p] * peak);
     const nephoscope::ScaledMedium medium =
-      nephoscope::scaled(extinction[p], albedo, g, taken * peak);
+      nephoscope::Scaled(extinction[p], albedo, g, taken * peak);
     grid.Extinction[p] = static_cast<float>(medium.Extinction);
     grid.Albedo[p] = static_cast<float>(medium.Albedo);
     grid.Asymmetry[p] = static_cast<float>(medium.Asymmetry);
@@ -54,7 +54,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
 {
   nephoscope::LightGrid grid;
   nephoscope::GridAxes axes;
-  if (!nephoscope::makeGrid(data, work.Planet, work.Places, grid, axes))
+  if (!nephoscope::MakeGrid(data, work.Planet, work.Places, grid, axes))
   {
     return this->Sample(data, work);
   }
@@ -64,7 +64,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   grid.Albedo = axes.Order.Of(work.Albedo);
   grid.Asymmetry = axes.Order.Of(work.Asymmetry);
   grid.Depth = axes.Order.Of(work.DiffuseDepth);
-  scaleForDiffuse(grid, axes.Order.Of(work.Extinction), work.Taken);
+  ScaleForDiffuse(grid, axes.Order.Of(work.Extinction), work.Taken);
   grid.Shadow = axes.Order.Of(work.Shadow);
   grid.GroundAlbedo = this->GroundAlbedo;
   grid.Sun.resize(grid.Points());
@@ -87,7 +87,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   settings.Angles = { this->ZenithAngles, this->AzimuthAngles };
   nephoscope::ThreadTeam team;
   const auto parallel = [&team](int n, const std::function<void(int)>& body) { team.Run(n, body); };
-  const nephoscope::DiffuseLight light = nephoscope::diffuseLight(
+  const nephoscope::DiffuseLight light = nephoscope::FindDiffuseLight(
     grid, settings, parallel, [this](double fraction) { return this->GoOn(0.5 + 0.5 * fraction); });
   this->NumberOfIterations = light.Iterations;
   this->LastChange = light.Change;
@@ -99,7 +99,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
       grid.ShadowAt(p) * (std::exp(-work.ScaledDepth[q]) - std::exp(-work.DiffuseDepth[q]));
     const Vector& sun = grid.SunAt(p);
     work.SecondMoment[q] =
-      light.Field.SecondMoment[p] - straight * nephoscope::secondLegendre(sun[2]);
+      light.Field.SecondMoment[p] - straight * nephoscope::SecondLegendre(sun[2]);
     work.Absorbed[q] = light.Absorption[p];
     work.Fluence[q] = std::max(light.Field.Fluence[p], 0.0f) - straight;
     work.Up[q] = std::max(light.Field.Up(p), 0.0f);
@@ -128,7 +128,7 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
     { "Whole", &work.Extinction }, { "Albedo", &work.Albedo }, { "Asymmetry", &work.Asymmetry } };
   for (const auto& [name, values] : arrays)
   {
-    std::copy(values->begin(), values->end(), addPointArray(copy, name)->GetPointer(0));
+    std::copy(values->begin(), values->end(), AddPointArray(copy, name)->GetPointer(0));
   }
   const nephoscope::SampleFrame frame(work.Planet, work.Places);
   vtkSmartPointer<vtkImageData> image = frame.MakeImage(work.Places, 100000, false);
@@ -142,14 +142,14 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
   coarse.Planet = work.Planet;
   coarse.Sun = work.Sun;
   vtkIdType ignored = 0;
-  coarse.Places = nephoscope::placesOf(grid);
-  coarse.Scaled = nephoscope::valuesOf(grid, "Scaled", 0, 1, ignored);
-  coarse.Albedo = nephoscope::valuesOf(grid, "Albedo", 0, 1, ignored);
-  coarse.Asymmetry = nephoscope::valuesOf(grid, "Asymmetry", 0, 1, ignored);
-  coarse.Extinction = nephoscope::valuesOf(grid, "Whole", 0, 1, ignored);
+  coarse.Places = nephoscope::PlacesOf(grid);
+  coarse.Scaled = nephoscope::ValuesOf(grid, "Scaled", 0, 1, ignored);
+  coarse.Albedo = nephoscope::ValuesOf(grid, "Albedo", 0, 1, ignored);
+  coarse.Asymmetry = nephoscope::ValuesOf(grid, "Asymmetry", 0, 1, ignored);
+  coarse.Extinction = nephoscope::ValuesOf(grid, "Whole", 0, 1, ignored);
   for (std::vector<float>* one : { &coarse.Scaled, &coarse.Extinction })
   {
-    nephoscope::cutResidues(*one); // of interpolation
+    nephoscope::CutResidues(*one); // of interpolation
   }
   coarse.Taken = work.Taken;
   coarse.StartDiffuse();

@@ -86,7 +86,7 @@ namespace nephoscope
 {
 
 // Residues of a model's arithmetic are no cloud: divided by such an extinction, rounding errors of the light would count as light.
-inline void cutResidues(std::vector<float>& extinction)
+inline void CutResidues(std::vector<float>& extinction)
 {
   constexpr float faintest = 1e-7f; // of the greatest
   const auto greatest = std::max_element(extinction.begin(), extinction.end());
@@ -95,7 +95,7 @@ inline void cutResidues(std::vector<float>& extinction)
     extinction.begin(), extinction.end(), [limit](float one) { return one < limit; }, 0.0f);
 }
 
-inline vtkFloatArray* addPointArray(vtkDataSet* data, const char* name)
+inline vtkFloatArray* AddPointArray(vtkDataSet* data, const char* name)
 {
   vtkNew<vtkFloatArray> array;
   array->SetName(name);

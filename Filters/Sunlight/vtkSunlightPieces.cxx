@@ -74,13 +74,13 @@ void vtkSunlight::WarnOfPieces(vtkDataSet* data, vtkInformation* information)
 {
   // Parts of a surface have the shadows of all clouds if these are whole.
   vtkDataObject* shading = this->OnSurface ? this->ShadingClouds() : data;
-  const bool inPieces = !nephoscope::ranksOfPieces(this) &&
+  const bool inPieces = !nephoscope::RanksOfPieces(this) &&
     information->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
     information->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1 && !nephoscope::IsStructured(shading);
   if (inPieces && !this->ToldOfPieces && information->Get(SDDP::UPDATE_PIECE_NUMBER()) == 0)
   {
     vtkWarningMacro(
-      << nephoscope::inBlock(this, data)
+      << nephoscope::InBlock(this, data)
       << "One of several pieces of unstructured data is requested, and it is lit alone: clouds of other pieces cast no shadow on it. For the light of all pieces, request "
          "the data as one piece, or make an image by Resample To Image first.");
   }

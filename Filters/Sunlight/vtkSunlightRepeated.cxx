@@ -27,7 +27,7 @@ bool vtkSunlight::LightRepeated(vtkDataSet* data, Work& work)
   whole.Sun = work.Sun;
   whole.Repeats = true;
   whole.Taken = work.Taken;
-  whole.Places = nephoscope::placesOf(repeated.GetGrid());
+  whole.Places = nephoscope::PlacesOf(repeated.GetGrid());
   whole.Extinction = repeated.Of(work.Extinction);
   whole.Scaled = repeated.Of(work.Scaled);
   whole.Albedo = repeated.Of(work.Albedo);

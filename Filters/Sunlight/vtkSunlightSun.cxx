@@ -20,7 +20,7 @@
 #include <algorithm>
 #include <cmath>
 
-using nephoscope::dot;
+using nephoscope::Dot;
 
 // A surface below clouds has their Up.
 nephoscope::Planet vtkSunlight::PlanetOf(vtkDataSet* data)
@@ -32,17 +32,17 @@ nephoscope::Planet vtkSunlight::PlanetOf(vtkDataSet* data)
   {
     upOfClouds->GetTuple(0, up.data());
   }
-  return nephoscope::planetOf(data, nephoscope::normalized(up));
+  return nephoscope::FindPlanet(data, nephoscope::Normalized(up));
 }
 
 // A map that is told no place has the sun of longitude and latitude 0, perhaps at night.
 void vtkSunlight::WarnOfPlace(
   vtkDataSet* data, const std::array<double, 3>& sun, const std::array<double, 3>& sunOnGlobe)
 {
-  const double radius = nephoscope::radiusOfMap(data);
+  const double radius = nephoscope::RadiusOfMap(data);
   const nephoscope::Vector3 seenFromZero{ { sunOnGlobe[1], sunOnGlobe[2], sunOnGlobe[0] } };
   bool isElsewhere = false;
-  if (radius > 0 && sun != sunOnGlobe && nephoscope::distance(sun, seenFromZero) < 1e-9)
+  if (radius > 0 && sun != sunOnGlobe && nephoscope::Distance(sun, seenFromZero) < 1e-9)
   {
     double middle[3];
     data->GetCenter(middle);
@@ -52,7 +52,7 @@ void vtkSunlight::WarnOfPlace(
     if (isElsewhere && !this->ToldOfPlace)
     {
       vtkWarningMacro(
-        << nephoscope::inBlock(this, data) << "The middle of the map is at longitude "
+        << nephoscope::InBlock(this, data) << "The middle of the map is at longitude "
         << std::round(longitude) << " and latitude " << std::round(latitude)
         << ", but the sun is that of longitude 0 and latitude 0: set Longitude and Latitude as well as the date.");
     }
@@ -67,9 +67,9 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
   if (vtkDataObject* source = this->GetInputDataObject(2, 0))
   {
     nephoscope::SharedSun shared;
-    if (!nephoscope::readSun(source, shared))
+    if (!nephoscope::ReadSun(source, shared))
     {
-      vtkAlgorithm* maker = nephoscope::producerOfInput(this, 2);
+      vtkAlgorithm* maker = nephoscope::ProducerOfInput(this, 2);
       if (maker && maker->GetErrorCode() != vtkErrorCode::NoError)
       {
         return false; // it has told why
@@ -86,19 +86,19 @@ bool vtkSunlight::FindSun(vtkDataSet* data, std::array<double, 3>& sun)
   if (!this->DateTime.empty())
   {
     double days = 0;
-    if (!nephoscope::daysOf(this->DateTime, days))
+    if (!nephoscope::DaysOf(this->DateTime, days))
     {
       vtkErrorMacro(<< "DateTime is '" << this->DateTime
                     << "'; it must be a date and time in UTC, such as '2011-10-11 18:30'.");
       return false;
     }
-    const nephoscope::SubsolarPoint place = nephoscope::subsolarPoint(days);
-    const auto sunOnGlobe = nephoscope::towardsSunOnGlobe(place);
-    const auto seen = nephoscope::towardsSunAt(place, this->Longitude, this->Latitude);
+    const nephoscope::SubsolarPoint place = nephoscope::FindSubsolarPoint(days);
+    const auto sunOnGlobe = nephoscope::TowardsSunOnGlobe(place);
+    const auto seen = nephoscope::TowardsSunAt(place, this->Longitude, this->Latitude);
     sun = onGlobe ? sunOnGlobe : planet.FromHorizon(seen);
     this->WarnOfPlace(data, onGlobe ? sunOnGlobe : seen, sunOnGlobe);
   }
-  const double length = std::sqrt(dot(sun, sun));
+  const double length = std::sqrt(Dot(sun, sun));
   if (!(length > 0) || !std::isfinite(length))
   {
     vtkErrorMacro(<< "SunDirection is " << sun[0] << ", " << sun[1] << ", " << sun[2]
@@ -122,7 +122,7 @@ void vtkSunlight::WarnOfOtherSun(const Work& work)
 
 void vtkSunlight::WarnOfLight(vtkDataSet* data, const Work& work)
 {
-  if (work.Planet.Radius <= 0 && dot(work.Planet.Up, work.Sun) < 0)
+  if (work.Planet.Radius <= 0 && Dot(work.Planet.Up, work.Sun) < 0)
   {
     vtkWarningMacro(
       << "The sun is below the horizon: it is night, and the only light is that of the twilight sky. Up is ("

@@ -192,7 +192,7 @@ std::vector<double> StretchWriter::Stretches(const std::vector<float>& displacem
   }
   const GridStretch stretch({ this->Points, this->Horizontal ? 2 : 3, this->Closed }, from, to);
   std::vector<double> stretches(count);
-  inParallel(
+  InParallel(
     static_cast<vtkIdType>(count),
     [&](vtkIdType begin, vtkIdType end) {
       for (vtkIdType p = begin; p < end; ++p)

@@ -306,7 +306,7 @@ bool vtkTextureCoordinateAdvection::ChooseNext()
 
 void vtkTextureCoordinateAdvection::ReportOtherInput(vtkDataObject* input)
 {
-  const std::string remedy = nephoscope::remedyFor(input);
+  const std::string remedy = nephoscope::RemedyFor(input);
   vtkErrorMacro("The input is " << (input ? input->GetClassName() : "missing")
                                 << "; one grid is needed."
                                 << (remedy.empty() ? " Merge or extract blocks first." : remedy));

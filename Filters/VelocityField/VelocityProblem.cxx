@@ -153,7 +153,7 @@ double DistanceToBounds(vtkDataSet* set, vtkIdType cell, const Vector3& position
     const double x = position[axis];
     offset[axis] = x - std::min(std::max(x, bounds[2 * axis]), bounds[2 * axis + 1]);
   }
-  return norm(offset);
+  return Norm(offset);
 }
 
 bool IsBlanked(vtkDataSet* set, vtkIdType cell)
@@ -182,7 +182,7 @@ NearestCell FindNearestCell(const std::vector<vtkDataSet*>& sets, const Vector3&
       double parametric[3];
       int part = cell->GetParametricCenter(parametric);
       cell->EvaluateLocation(part, parametric, middle.data(), weights.data());
-      const double distance = norm(middle - position);
+      const double distance = Norm(middle - position);
       if (cell->GetCellDimension() == 3 && distance < nearest.Distance)
       {
         nearest = { distance, middle };

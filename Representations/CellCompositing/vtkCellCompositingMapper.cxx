@@ -28,14 +28,14 @@
 
 using nephoscope::CellMethod;
 using nephoscope::CellScene;
-using nephoscope::withThreads;
+using nephoscope::WithThreads;
 
 vtkStandardNewMacro(vtkCellCompositingMapper);
 
 namespace
 {
 /** What neither projection nor triangles and faces draw, and these alone. */
-std::string leftOut(
+std::string LeftOut(
   const nephoscope::CellDrawingOptions& options, const CellScene& scene, bool projected)
 {
   std::string list;
@@ -139,7 +139,7 @@ bool vtkCellCompositingMapper::Prepare(
   if (!input || input->GetNumberOfCells() == 0)
   {
     this->Internals->Scene.Clear();
-    const std::string error = nephoscope::checkIsDataSet(this->GetInputDataObject(0, 0));
+    const std::string error = nephoscope::CheckIsDataSet(this->GetInputDataObject(0, 0));
     this->ReportOnce(error.empty() ? "The input has no cells: there is nothing to draw." : error);
     return false;
   }
@@ -173,7 +173,7 @@ void vtkCellCompositingMapper::ReportOnce(const std::string& error)
 // Empty, or why the settings of the volume draw nothing.
 std::string vtkCellCompositingMapper::CheckSettings(vtkVolumeProperty* property)
 {
-  const std::string wrongUnit = nephoscope::checkUnitDistance(property);
+  const std::string wrongUnit = nephoscope::CheckUnitDistance(property);
   if (!wrongUnit.empty())
   {
     return wrongUnit;
@@ -215,7 +215,7 @@ std::string vtkCellCompositingMapper::PrepareScene(vtkOpenGLRenderWindow* window
   }
   auto view = std::make_unique<nephoscope::ViewState>(renderer, volume, scene.GetGeometry().Center);
   bool ready = true;
-  withThreads([&]() {
+  WithThreads([&]() {
     scene.UpdatePolygons(this->Internals->Scalars, *this->Contours, property);
     scene.UpdateTransferFunction(property,
       this->Internals->HasContours ? *this->Contours : this->Contours->WithoutSurfaces(),
@@ -270,7 +270,7 @@ void vtkCellCompositingMapper::SetDrawingOptions(vtkRenderer* renderer, vtkVolum
     options.ContourShading = { { static_cast<float>(property->GetAmbient()),
       static_cast<float>(property->GetDiffuse()), static_cast<float>(property->GetSpecular()),
       static_cast<float>(property->GetSpecularPower()) } };
-    options.Lights = nephoscope::describeLights(renderer);
+    options.Lights = nephoscope::DescribeLights(renderer);
   }
 }
 
@@ -290,7 +290,7 @@ std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window, v
           "another method, or call UseDepthPeelingForVolumesOff() of the renderer.");
   }
   const std::string warning =
-    this->UsesRays() ? std::string() : leftOut(options, scene, !this->DrawsTrianglesOrFaces());
+    this->UsesRays() ? std::string() : LeftOut(options, scene, !this->DrawsTrianglesOrFaces());
   if (this->Internals->LastWarning.IsNew(warning)) // once, not once per frame
   {
     vtkWarningMacro(<< warning);
@@ -300,16 +300,16 @@ std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window, v
     return this->Internals->Pass.DrawLayer(
       window, [&](const int*, nephoscope::OpaqueDepth& opaqueDepth) {
         std::string failure;
-        withThreads([&]() {
+        WithThreads([&]() {
           failure = this->Internals->Faces.Draw(window, scene, state.View, options,
             this->VisibilityOrder != NO_ORDER, opaqueDepth.GetTexture());
         });
         return failure;
       });
   }
-  if (nephoscope::drawsTriangles(options.Method))
+  if (nephoscope::DrawsTriangles(options.Method))
   {
-    this->WarnAboutUnprojected(nephoscope::countUnprojected(scene.GetGeometry(), scene.GetDrawn(),
+    this->WarnAboutUnprojected(nephoscope::CountUnprojected(scene.GetGeometry(), scene.GetDrawn(),
       state.View.ModelToView, state.View.EyeView, state.View.ViewToDevice));
   }
   return this->Internals->Pass.Draw(window, state.View, options);

@@ -32,9 +32,9 @@ using CellTypeNames = vtkCellTypeUtilities;
 using CellTypeNames = vtkCellTypes;
 #endif
 
-using nephoscope::arrayNames;
 using nephoscope::CellGeometry;
-using nephoscope::checkLength;
+using nephoscope::CheckLength;
+using nephoscope::NamesOfArrays;
 using nephoscope::ScalarSelection;
 
 std::string vtkCellCompositingMapper::SelectContours(
@@ -52,13 +52,13 @@ std::string vtkCellCompositingMapper::SelectContours(
     if (colored && colored == std::string(nephoscope::uniformMediumName))
     {
       return "No array is coloured: choose a point array to contour. Point arrays: " +
-        arrayNames(input->GetPointData()) + ".";
+        NamesOfArrays(input->GetPointData()) + ".";
     }
     return scalars.OnCells && this->Contours->DrawsSurfaces() &&
         !this->Contours->ContoursMakeLayers()
       ? "The coloured array is a cell array, which has no contour surfaces inside its cells: apply Cell Data to Point "
         "Data, or choose a point array to contour. Point arrays: " +
-        arrayNames(input->GetPointData()) + "."
+        NamesOfArrays(input->GetPointData()) + "."
       : std::string();
   }
   contoured.Array = input->GetPointData()->GetArray(name.c_str());
@@ -68,9 +68,9 @@ std::string vtkCellCompositingMapper::SelectContours(
     return "No point array named '" + name + "' to contour" +
       (onCells ? "; a cell array has no surfaces inside its cells: apply Cell Data to Point Data. "
                : ". ") +
-      "Point arrays: " + arrayNames(input->GetPointData()) + ".";
+      "Point arrays: " + NamesOfArrays(input->GetPointData()) + ".";
   }
-  return checkLength(input, contoured);
+  return CheckLength(input, contoured);
 }
 
 std::string vtkCellCompositingMapper::SelectLayers(vtkDataSet* input, vtkDataArray*& layers)
@@ -85,20 +85,20 @@ std::string vtkCellCompositingMapper::SelectLayers(vtkDataSet* input, vtkDataArr
   if (!layers)
   {
     return "No cell array named '" + name +
-      "' for the layers. Cell arrays: " + arrayNames(input->GetCellData()) + ".";
+      "' for the layers. Cell arrays: " + NamesOfArrays(input->GetCellData()) + ".";
   }
-  return checkLength(input, { layers, true, 0 });
+  return CheckLength(input, { layers, true, 0 });
 }
 
 namespace
 {
-std::string cellsAre(vtkIdType count)
+std::string CellsAre(vtkIdType count)
 {
   return std::to_string(count) + (count == 1 ? " cell is" : " cells are");
 }
 
 // The polygons that vtkContourCellSplitter adds to the pieces of cells; they are no mistake.
-vtkIdType countContourPolygons(vtkDataSet* input)
+vtkIdType CountContourPolygons(vtkDataSet* input)
 {
   vtkDataArray* contours = input->GetCellData()->GetArray("ContourIndex");
   vtkIdType count = 0;
@@ -109,7 +109,7 @@ vtkIdType countContourPolygons(vtkDataSet* input)
   return count;
 }
 
-bool hasCopies(vtkUnsignedCharArray* ghosts)
+bool HasCopies(vtkUnsignedCharArray* ghosts)
 {
   bool has = false;
   for (vtkIdType cell = 0; ghosts && cell < ghosts->GetNumberOfValues(); ++cell)
@@ -131,7 +131,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
 
   const bool none = geometry.NumberOfTetrahedra() == 0;
   const std::string leftOut = geometry.NumberOfInvalidCells > 0
-    ? (none ? "Nothing is drawn: " : "") + cellsAre(geometry.NumberOfInvalidCells) +
+    ? (none ? "Nothing is drawn: " : "") + CellsAre(geometry.NumberOfInvalidCells) +
       (none ? " left out" : " not drawn") + " because array " + names +
       " or a coordinate is not finite there. Blank such points, or replace the values."
     : std::string();
@@ -141,14 +141,14 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
   }
   // Polygons beside 3-D cells have messages of their own.
   const vtkIdType others = geometry.NumberOfUnsupportedCells -
-    std::max<vtkIdType>(countContourPolygons(input),
+    std::max<vtkIdType>(CountContourPolygons(input),
       geometry.NumberOfTetrahedra() > 0
         ? this->Internals->Scene.GetPolygons().GetPolygons().NumberOfPolygons
         : 0);
   if (others > 0)
   {
     const char* type = CellTypeNames::GetClassNameFromTypeId(geometry.UnsupportedCellType);
-    vtkWarningMacro(<< cellsAre(others) << " not drawn (" << type
+    vtkWarningMacro(<< CellsAre(others) << " not drawn (" << type
                     << (others == 1 ? "" : ", for example")
                     << "): only 3-D cells can be composited.");
   }
@@ -161,7 +161,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
   if (geometry.NumberOfWarpedCells > 0 && geometry.Hexahedra.empty())
   {
     vtkWarningMacro(
-      << cellsAre(geometry.NumberOfWarpedCells)
+      << CellsAre(geometry.NumberOfWarpedCells)
       << " drawn wrong: so warped that the tetrahedra they are divided into overlap. Set CellInterpolation to Trilinear, and draw "
          "layers, an opacity array and overlapping volumes without these cells.");
   }
@@ -169,7 +169,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
   // On several processes one may have copies of the others' cells alone.
   const bool isTold = geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells > 0;
   if (geometry.NumberOfTetrahedra() == 0 && input->GetNumberOfCells() > 0 && !isTold &&
-    !hasCopies(input->GetCellGhostArray()))
+    !HasCopies(input->GetCellGhostArray()))
   {
     const vtkIdType count = input->GetNumberOfCells();
     const std::string which = count == 1

@@ -14,12 +14,12 @@
 using nephoscope::CellGeometry;
 using nephoscope::CellScene;
 using nephoscope::ScalarSelection;
-using nephoscope::withThreads;
+using nephoscope::WithThreads;
 
 namespace
 {
 /** `hasParts`: polygons or layers, which need tetrahedra. `mixed`: with other media, whose rays cross the tetrahedra of cells. */
-CellGeometry::Form formOfCells(bool byRays, bool hasParts, bool mixed, int interpolation)
+CellGeometry::Form FormOfCells(bool byRays, bool hasParts, bool mixed, int interpolation)
 {
   using Form = CellGeometry::Form;
   if (!byRays)
@@ -61,14 +61,14 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   CellScene& scene = this->Internals->Scene;
   ScalarSelection scalars, opacity;
   constexpr double longest = 1e16; // of data that rays and projection draw
-  std::string error = nephoscope::checkLengths(input, longest);
+  std::string error = nephoscope::CheckLengths(input, longest);
   if (error.empty())
   {
-    error = nephoscope::selectScalars(this, input, volume->GetProperty(), scalars);
+    error = nephoscope::SelectScalars(this, input, volume->GetProperty(), scalars);
   }
   if (error.empty())
   {
-    error = nephoscope::selectOpacity(this->OpacityArrayName, input, scalars, opacity);
+    error = nephoscope::SelectOpacity(this->OpacityArrayName, input, scalars, opacity);
   }
   vtkDataArray* layers = nullptr;
   if (error.empty())
@@ -89,9 +89,9 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   }
   scalars.Headroom = this->Internals->Light.IsUsed() ? this->Internals->Light.Headroom() : 0;
   bool built = false;
-  const CellGeometry::Form form = formOfCells(
+  const CellGeometry::Form form = FormOfCells(
     this->UsesRays(), this->HasPolygonsOrLayers(), this->Internals->Mixed, this->CellInterpolation);
-  withThreads([&]() {
+  WithThreads([&]() {
     built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
   });
   this->Internals->Scalars = scalars;

@@ -23,7 +23,7 @@ using nephoscope::VolumeOrder;
 
 namespace
 {
-vtkCellCompositingMapper* mapperOf(vtkVolume* volume)
+vtkCellCompositingMapper* MapperOf(vtkVolume* volume)
 {
   vtkAbstractVolumeMapper* mapper = volume->GetMapper();
   if (auto* inPlace = vtkCellCompositingProjectedTetrahedraMapper::SafeDownCast(mapper))
@@ -37,7 +37,7 @@ vtkCellCompositingMapper* mapperOf(vtkVolume* volume)
   return vtkCellCompositingMapper::SafeDownCast(mapper);
 }
 
-PixelRegion pixelsOf(vtkRenderer* renderer, const double bounds[6])
+PixelRegion PixelsOf(vtkRenderer* renderer, const double bounds[6])
 {
   const double origin[3] = { 0, 0, 0 };
   const vtkNew<vtkVolume> world;
@@ -47,7 +47,7 @@ PixelRegion pixelsOf(vtkRenderer* renderer, const double bounds[6])
   nephoscope::PointBounds box;
   box.Add({ { bounds[0], bounds[2], bounds[4] } });
   box.Add({ { bounds[1], bounds[3], bounds[5] } });
-  return nephoscope::coveredPixels(state.View, box, viewport);
+  return nephoscope::CoveredPixels(state.View, box, viewport);
 }
 
 }
@@ -129,7 +129,7 @@ std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindM
   while (vtkProp* prop = props->GetNextProp(place))
   {
     auto* other = vtkVolume::SafeDownCast(prop);
-    vtkCellCompositingMapper* mapper = other ? mapperOf(other) : nullptr;
+    vtkCellCompositingMapper* mapper = other ? MapperOf(other) : nullptr;
     if (!mapper || !mapper->GetInputAlgorithm() || (mapper != this && !VolumeOrder::IsDrawn(other)))
     {
       continue;
@@ -139,7 +139,7 @@ std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindM
     if (mapper == this || mapper->ReasonToBeAlone(window).empty())
     {
       candidates.push_back(
-        { { mapper, other }, pixelsOf(renderer, other->GetBounds()), mapper == this });
+        { { mapper, other }, PixelsOf(renderer, other->GetBounds()), mapper == this });
     }
   }
   this->WarnAboutMedia(0,
@@ -171,7 +171,7 @@ std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindM
     {
       const bool joins = !candidate.Joined &&
         std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& other) {
-          return other.Joined && nephoscope::haveCommonPixels(candidate.Pixels, other.Pixels) &&
+          return other.Joined && nephoscope::HaveCommonPixels(candidate.Pixels, other.Pixels) &&
             (!overlapping || VolumeOrder::Overlap(candidate.Medium.Volume, other.Medium.Volume));
         });
       candidate.Joined = candidate.Joined || joins;

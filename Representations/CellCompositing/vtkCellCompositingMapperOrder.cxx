@@ -76,7 +76,7 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
   this->Internals->RaysAreWrong = false;
   if (this->UsesRays())
   {
-    const std::string wrong = nephoscope::checkDrawing(window, DrawnBy::Rays);
+    const std::string wrong = nephoscope::CheckDrawing(window, DrawnBy::Rays);
     if (this->Internals->RayWarning.IsNew(wrong))
     {
       vtkWarningMacro("This OpenGL driver does not draw rays correctly: "
@@ -85,7 +85,7 @@ std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* 
     this->Internals->RaysAreWrong = !wrong.empty();
   }
   const std::string wrong =
-    this->UsesRays() ? std::string() : nephoscope::checkDrawing(window, DrawnBy::Projection);
+    this->UsesRays() ? std::string() : nephoscope::CheckDrawing(window, DrawnBy::Projection);
   return wrong.empty() ? wrong
                        : "This OpenGL driver does not draw cells correctly: " + wrong +
       ". Use another driver; the environment variable LIBGL_ALWAYS_SOFTWARE=1 selects Mesa's software driver.";

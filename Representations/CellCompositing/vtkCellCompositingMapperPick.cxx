@@ -26,7 +26,7 @@ using nephoscope::CellGeometry;
 using nephoscope::PickRay;
 using nephoscope::Vector3;
 
-vtkVolume* volumeOf(vtkRenderer* renderer, vtkAbstractVolumeMapper* mapper)
+vtkVolume* VolumeOf(vtkRenderer* renderer, vtkAbstractVolumeMapper* mapper)
 {
   vtkVolumeCollection* volumes = renderer->GetVolumes();
   for (int i = 0; i < volumes->GetNumberOfItems(); ++i)
@@ -40,7 +40,7 @@ vtkVolume* volumeOf(vtkRenderer* renderer, vtkAbstractVolumeMapper* mapper)
   return nullptr;
 }
 
-Vector3 pickedWorld(vtkRenderer* renderer, double x, double y, double depth)
+Vector3 PickedWorld(vtkRenderer* renderer, double x, double y, double depth)
 {
   double p[4];
   renderer->SetDisplayPoint(x, y, depth);
@@ -49,7 +49,7 @@ Vector3 pickedWorld(vtkRenderer* renderer, double x, double y, double depth)
   return { { p[0] / p[3], p[1] / p[3], p[2] / p[3] } };
 }
 
-Vector3 placeOn(const Vector3& from, const Vector3& to, double parameter)
+Vector3 PlaceOn(const Vector3& from, const Vector3& to, double parameter)
 {
   Vector3 p;
   for (std::size_t k = 0; k < 3; ++k)
@@ -60,7 +60,7 @@ Vector3 placeOn(const Vector3& from, const Vector3& to, double parameter)
 }
 
 /** Cuts off what lies behind the clipping planes. */
-void clipPickRay(vtkPlaneCollection* planes, const Vector3& from, const Vector3& to, PickRay& ray)
+void ClipPickRay(vtkPlaneCollection* planes, const Vector3& from, const Vector3& to, PickRay& ray)
 {
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {
@@ -82,7 +82,7 @@ void clipPickRay(vtkPlaneCollection* planes, const Vector3& from, const Vector3&
   }
 }
 
-Vector3 toPickedModel(vtkMatrix4x4* worldToModel, const Vector3& world, const double center[3])
+Vector3 ToPickedModel(vtkMatrix4x4* worldToModel, const Vector3& world, const double center[3])
 {
   const double in[4] = { world[0], world[1], world[2], 1.0 };
   double out[4];
@@ -93,7 +93,7 @@ Vector3 toPickedModel(vtkMatrix4x4* worldToModel, const Vector3& world, const do
 
 /** The field of VTK's cell, in numbers of the geometry; `valueAt`: of a point. */
 template <typename Value>
-double fieldOfPickedCell(vtkDataSet* data, const CellGeometry& geometry, vtkGenericCell* cell,
+double FieldOfPickedCell(vtkDataSet* data, const CellGeometry& geometry, vtkGenericCell* cell,
   std::int64_t number, Vector3 place, Value valueAt)
 {
   data->GetCell(number, cell);
@@ -114,7 +114,7 @@ double fieldOfPickedCell(vtkDataSet* data, const CellGeometry& geometry, vtkGene
 }
 
 // Those that are drawn.
-void addSurfaces(const nephoscope::ContourScene& contours, nephoscope::PickMedium& medium)
+void AddSurfaces(const nephoscope::ContourScene& contours, nephoscope::PickMedium& medium)
 {
   for (const nephoscope::ContourScene::Contour& contour : contours.Contours)
   {
@@ -137,7 +137,7 @@ void vtkCellCompositingMapper::SetPickOpacity(double opacity)
 bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
 {
   this->PickedCell = this->PickedPoint = -1;
-  vtkVolume* volume = renderer ? volumeOf(renderer, this) : nullptr;
+  vtkVolume* volume = renderer ? VolumeOf(renderer, this) : nullptr;
   vtkDataSet* data = this->GetDataSetInput();
   const nephoscope::CellScene& scene = this->Internals->Scene;
   const CellGeometry& geometry = scene.GetGeometry();
@@ -153,42 +153,42 @@ bool vtkCellCompositingMapper::Pick(vtkRenderer* renderer, double x, double y)
     return false;
   }
   const double centerX = pixel[0] + 0.5, centerY = pixel[1] + 0.5;
-  const Vector3 from = pickedWorld(renderer, centerX, centerY, 0),
-                to = pickedWorld(renderer, centerX, centerY, renderer->GetZ(pixel[0], pixel[1]));
+  const Vector3 from = PickedWorld(renderer, centerX, centerY, 0),
+                to = PickedWorld(renderer, centerX, centerY, renderer->GetZ(pixel[0], pixel[1]));
   vtkNew<vtkMatrix4x4> worldToModel;
   vtkMatrix4x4::Invert(volume->GetMatrix(), worldToModel);
-  const Vector3 start = toPickedModel(worldToModel, from, geometry.Center),
-                end = toPickedModel(worldToModel, to, geometry.Center);
+  const Vector3 start = ToPickedModel(worldToModel, from, geometry.Center),
+                end = ToPickedModel(worldToModel, to, geometry.Center);
   PickRay ray{ start, { { end[0] - start[0], end[1] - start[1], end[2] - start[2] } } };
-  clipPickRay(this->GetClippingPlanes(), from, to, ray);
+  ClipPickRay(this->GetClippingPlanes(), from, to, ray);
   const double length = std::hypot(std::hypot(to[0] - from[0], to[1] - from[1]), to[2] - from[2]);
   nephoscope::PickMedium medium{ scene.GetOpacityFunctions(), scene.GetTablesOfTetrahedra(),
     length * this->OpacityScale / volume->GetProperty()->GetScalarOpacityUnitDistance() };
-  addSurfaces(scene.GetContours(), medium);
+  AddSurfaces(scene.GetContours(), medium);
   vtkNew<vtkGenericCell> cell;
   if (this->IsTrilinear() && this->MayCrossWholeCells() &&
     (!geometry.Hexahedra.empty() || !geometry.Grid.IsEmpty()))
   {
     medium.Scalar = [&](std::int64_t number, double parameter) {
-      return fieldOfPickedCell(data, geometry, cell, number, placeOn(start, end, parameter),
+      return FieldOfPickedCell(data, geometry, cell, number, PlaceOn(start, end, parameter),
         [&](std::size_t point) { return geometry.Points[point].Scalar; });
     };
     medium.OpacityScalar = [&](std::int64_t number, double parameter) {
-      return fieldOfPickedCell(data, geometry, cell, number, placeOn(start, end, parameter),
+      return FieldOfPickedCell(data, geometry, cell, number, PlaceOn(start, end, parameter),
         [&](std::size_t point) { return geometry.OpacityScalars[point]; });
     };
   }
   const nephoscope::PickedCell picked =
-    nephoscope::pickCell(geometry, medium, ray, -std::log1p(-this->PickOpacity));
+    nephoscope::PickCell(geometry, medium, ray, -std::log1p(-this->PickOpacity));
   if (picked.Tetrahedron < 0)
   {
     return false;
   }
-  this->PickedCell = nephoscope::cellOfTetrahedron(geometry, picked.Tetrahedron);
+  this->PickedCell = nephoscope::CellOfTetrahedron(geometry, picked.Tetrahedron);
   this->PickedPoint = picked.Point;
   this->PickedScalar =
     geometry.ScalarRange[0] + picked.Scalar * (geometry.ScalarRange[1] - geometry.ScalarRange[0]);
-  const Vector3 place = placeOn(from, to, picked.Parameter);
+  const Vector3 place = PlaceOn(from, to, picked.Parameter);
   std::copy(place.begin(), place.end(), this->PickPosition);
   return true;
 }

@@ -15,7 +15,7 @@ void vtkCellCompositingMapper::ShallowCopy(vtkAbstractMapper* other)
   this->Superclass::ShallowCopy(other);
   if (mapper)
   {
-    nephoscope::copyVolumeSettings(mapper, this);
+    nephoscope::CopyVolumeSettings(mapper, this);
     this->SetBlendMode(mapper->BlendMode);
     this->SetMethod(mapper->Method);
     this->SetIntegration(mapper->Integration);

@@ -15,14 +15,14 @@ double vtkCellCompositingMapper::FindUnitDistance(vtkVolumeProperty* property)
   vtkDataSet* input = this->GetDataSetInput();
   nephoscope::ScalarSelection scalars;
   const nephoscope::ScalarSelection read =
-    nephoscope::selectOpaque(this, input, property, this->OpacityArrayName, scalars);
+    nephoscope::SelectOpaque(this, input, property, this->OpacityArrayName, scalars);
   if (!read.Array)
   {
     return 0.0;
   }
   const nephoscope::CellMedium medium{ read.Array, read.OnCells,
-    nephoscope::fullOpacity(property->GetScalarOpacity()) };
-  const nephoscope::MediumBounds bounds = nephoscope::robustBoundsOfCells(input);
-  return nephoscope::defaultUnitDistance(
-    nephoscope::measureCells(input, medium, bounds), bounds, false);
+    nephoscope::FullOpacity(property->GetScalarOpacity()) };
+  const nephoscope::MediumBounds bounds = nephoscope::RobustBoundsOfCells(input);
+  return nephoscope::DefaultUnitDistance(
+    nephoscope::MeasureCells(input, medium, bounds), bounds, false);
 }

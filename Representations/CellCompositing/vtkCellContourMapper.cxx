@@ -12,14 +12,14 @@ using nephoscope::ContourSettings;
 
 namespace
 {
-double clampToUnit(double x)
+double ClampToUnit(double x)
 {
   return x > 0.0 ? std::min(x, 1.0) : 0.0; // NaN becomes 0
 }
 
 /** Replaces `value`; true when it was different. */
 template <typename Value>
-bool replace(Value& value, const Value& now)
+bool Replace(Value& value, const Value& now)
 {
   const bool changed = value != now;
   value = now;
@@ -58,7 +58,7 @@ void vtkCellContourMapper::SetContourValue(int i, double value)
   {
     this->SetNumberOfContourValues(i + 1);
   }
-  if (replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Value, value))
+  if (Replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Value, value))
   {
     this->Modified();
   }
@@ -96,7 +96,7 @@ void vtkCellContourMapper::GenerateContourValues(int number, double low, double 
 void vtkCellContourMapper::SetContourOpacity(int i, double opacity)
 {
   if (this->CheckContour(i) &&
-    replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Opacity, clampToUnit(opacity)))
+    Replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Opacity, ClampToUnit(opacity)))
   {
     this->Modified();
   }
@@ -118,10 +118,10 @@ double vtkCellContourMapper::GetContourOpacity(int i)
 
 void vtkCellContourMapper::SetContourColor(int i, double red, double green, double blue)
 {
-  const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green),
-    clampToUnit(blue) } };
+  const std::array<double, 3> color = { { ClampToUnit(red), ClampToUnit(green),
+    ClampToUnit(blue) } };
   if (this->CheckContour(i) &&
-    replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color, color))
+    Replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color, color))
   {
     this->Modified();
   }
@@ -130,7 +130,7 @@ void vtkCellContourMapper::SetContourColor(int i, double red, double green, doub
 void vtkCellContourMapper::SetContourColorToFunction(int i)
 {
   if (this->CheckContour(i) &&
-    replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color,
+    Replace(this->Contours->Surfaces[static_cast<std::size_t>(i)].Color,
       ContourSettings::Surface().Color))
   {
     this->Modified();
@@ -147,7 +147,7 @@ void vtkCellContourMapper::GetContourColor(int i, double rgb[3])
 
 void vtkCellContourMapper::SetContourArrayName(const std::string& name)
 {
-  if (replace(this->Contours->ArrayName, name))
+  if (Replace(this->Contours->ArrayName, name))
   {
     this->Modified();
   }
@@ -160,7 +160,7 @@ std::string vtkCellContourMapper::GetContourArrayName()
 
 void vtkCellContourMapper::SetContourLighting(bool lighting)
 {
-  if (replace(this->Contours->Lighting, lighting))
+  if (Replace(this->Contours->Lighting, lighting))
   {
     this->Modified();
   }
@@ -173,7 +173,7 @@ bool vtkCellContourMapper::GetContourLighting()
 
 void vtkCellContourMapper::SetSmoothContourNormals(bool smooth)
 {
-  if (replace(this->Contours->SmoothNormals, smooth))
+  if (Replace(this->Contours->SmoothNormals, smooth))
   {
     this->Modified();
   }
@@ -187,7 +187,7 @@ bool vtkCellContourMapper::GetSmoothContourNormals()
 void vtkCellContourMapper::SetPolygons(int polygons)
 {
   const int which = std::min(std::max(polygons, int(NO_POLYGONS)), int(ALL_POLYGONS));
-  if (replace(this->Contours->Polygons, static_cast<nephoscope::CellPolygons::Which>(which)))
+  if (Replace(this->Contours->Polygons, static_cast<nephoscope::CellPolygons::Which>(which)))
   {
     this->Modified();
   }
@@ -200,7 +200,7 @@ int vtkCellContourMapper::GetPolygons()
 
 void vtkCellContourMapper::SetPolygonOpacity(int contour, double opacity)
 {
-  if (replace(this->Contours->ChangePolygon(contour).Opacity, clampToUnit(opacity)))
+  if (Replace(this->Contours->ChangePolygon(contour).Opacity, ClampToUnit(opacity)))
   {
     this->Modified();
   }
@@ -208,10 +208,10 @@ void vtkCellContourMapper::SetPolygonOpacity(int contour, double opacity)
 
 void vtkCellContourMapper::SetPolygonOpacity(double opacity)
 {
-  bool changed = replace(this->Contours->Polygon.Opacity, clampToUnit(opacity));
+  bool changed = Replace(this->Contours->Polygon.Opacity, ClampToUnit(opacity));
   for (auto& polygon : this->Contours->PolygonsOfContour)
   {
-    changed = replace(polygon.second.Opacity, clampToUnit(opacity)) || changed;
+    changed = Replace(polygon.second.Opacity, ClampToUnit(opacity)) || changed;
   }
   if (changed)
   {
@@ -226,9 +226,9 @@ double vtkCellContourMapper::GetPolygonOpacity(int contour)
 
 void vtkCellContourMapper::SetPolygonColor(int contour, double red, double green, double blue)
 {
-  const std::array<double, 3> color = { { clampToUnit(red), clampToUnit(green),
-    clampToUnit(blue) } };
-  if (replace(this->Contours->ChangePolygon(contour).Color, color))
+  const std::array<double, 3> color = { { ClampToUnit(red), ClampToUnit(green),
+    ClampToUnit(blue) } };
+  if (Replace(this->Contours->ChangePolygon(contour).Color, color))
   {
     this->Modified();
   }
@@ -236,7 +236,7 @@ void vtkCellContourMapper::SetPolygonColor(int contour, double red, double green
 
 void vtkCellContourMapper::SetPolygonColorToFunction(int contour)
 {
-  if (replace(this->Contours->ChangePolygon(contour).Color, ContourSettings::Surface().Color))
+  if (Replace(this->Contours->ChangePolygon(contour).Color, ContourSettings::Surface().Color))
   {
     this->Modified();
   }
@@ -287,7 +287,7 @@ int vtkCellContourMapper::GetLayerWithProperty(int i) const
 
 void vtkCellContourMapper::SetLayerArrayName(const std::string& name)
 {
-  if (replace(this->Contours->LayerArrayName, name))
+  if (Replace(this->Contours->LayerArrayName, name))
   {
     this->Modified();
   }
@@ -300,7 +300,7 @@ std::string vtkCellContourMapper::GetLayerArrayName()
 
 void vtkCellContourMapper::SetLayersFromContours(bool layers)
 {
-  if (replace(this->Contours->LayersFromContours, layers))
+  if (Replace(this->Contours->LayersFromContours, layers))
   {
     this->Modified();
   }

@@ -79,7 +79,7 @@ void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
     return;
   }
   own.MadeFrom = key;
-  own.Surface = nephoscope::prepareTexturedSurface(input,
+  own.Surface = nephoscope::PrepareTexturedSurface(input,
     { { this->CoordinatesNames[0], this->CoordinatesNames[1] }, this->CoverageArrayName, density,
       this->TextureScale, this->TextureLength, this->UseThickness, this->UseAltitude,
       { this->AltitudeRange[0], this->AltitudeRange[1] } });
@@ -98,12 +98,12 @@ void vtkCloudTextureMapper::PrepareSurface(vtkPolyData* input)
 
 void vtkCloudTextureMapper::MapArrays()
 {
-  for (const std::string& name : nephoscope::allCloudAttributeNames())
+  for (const std::string& name : nephoscope::AllCloudAttributeNames())
   {
     this->RemoveVertexAttributeMapping(name.c_str());
   }
   for (const nephoscope::CloudAttribute& attribute :
-    nephoscope::cloudAttributesOf(this->Internals->Surface))
+    nephoscope::CloudAttributesOf(this->Internals->Surface))
   {
     this->MapDataArrayToVertexAttribute(
       attribute.Name.c_str(), attribute.Array.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS);
@@ -291,7 +291,7 @@ void vtkCloudTextureMapper::ReplaceShaderColor(
   std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
 {
   const bool isAdded = this->UseThickness && this->ThicknessEffect == THICKNESS_IS_ADDED_TO_TEXTURE;
-  nephoscope::addCloudCode(shaders, this->Internals->Surface,
+  nephoscope::AddCloudCode(shaders, this->Internals->Surface,
     { this->UseThickness, this->Internals->Drawings, isAdded, this->HasColors(),
       this->Internals->Volume ? this->Internals->Volume->GetShaderCode() : std::string(),
       this->Internals->InUse, this->HasRegion() });
@@ -415,7 +415,7 @@ void vtkCloudTextureMapper::ReplaceShaderNormal(
   this->Superclass::ReplaceShaderNormal(shaders, renderer, actor);
   if (this->Relief > 0)
   {
-    nephoscope::addReliefCode(shaders[vtkShader::Fragment], this->Internals->Surface.HasSecondSet,
+    nephoscope::AddReliefCode(shaders[vtkShader::Fragment], this->Internals->Surface.HasSecondSet,
       this->Internals->Surface.HasWeights ? "cloudWeightsVSOutput" : "textureWeights");
   }
 }
@@ -492,7 +492,7 @@ void vtkCloudTextureMapper::SetReliefHeight(vtkShaderProgram* program, vtkActor*
     return;
   }
   const vtkInternals& own = *this->Internals;
-  const double length = nephoscope::largestWaveLength(
+  const double length = nephoscope::LargestWaveLength(
     own.Surface.Surface, this->TextureLength, own.Surface.Scale, own.InUse);
   const double scale = std::cbrt(std::abs(actor->GetMatrix()->Determinant()));
   program->SetUniformf("reliefHeight", static_cast<float>(this->Relief * scale * length));

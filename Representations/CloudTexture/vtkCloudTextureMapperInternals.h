@@ -29,8 +29,8 @@ struct vtkCloudTextureMapper::vtkInternals
   using Key = std::tuple<vtkPolyData*, vtkMTimeType, std::string, std::string, std::string, double,
     double, std::string, bool, bool, double, double>;
 
-  nephoscope::GardnerWaves Custom = nephoscope::cloudWaves();
-  nephoscope::GardnerWaves InUse = nephoscope::cloudWaves();
+  nephoscope::GardnerWaves Custom = nephoscope::CloudWaves();
+  nephoscope::GardnerWaves InUse = nephoscope::CloudWaves();
   std::vector<double> TableAmplitudes;
   std::unique_ptr<nephoscope::CoverageThresholds> Table;
   nephoscope::JoinedSurfaces Blocks;

@@ -58,7 +58,7 @@ void vtkCloudTextureMapper::PrepareVolume()
   }
   own.VolumeMadeFrom = key;
   std::string error;
-  own.Volume = nephoscope::makeDensityVolume(data, this->DensityArrayName, error);
+  own.Volume = nephoscope::MakeDensityVolume(data, this->DensityArrayName, error);
   this->Modified(); // the shader depends on it
   this->TellVolume(error, own.Volume ? own.Volume->Warning : "");
 }
@@ -114,7 +114,7 @@ void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor
   request.IsInsideOut = own.Surface.Chord.IsInsideOut();
   request.WithDensities = own.Surface.HasDensity;
   request.Clouds = this->MaximumNumberOfLayers;
-  request.Constants = nephoscope::layerConstants(own.Surface);
+  request.Constants = nephoscope::LayerConstants(own.Surface);
   request.DrawTriangles = [&](vtkOpenGLHelper& helper) {
     this->DrawTriangles(helper, renderer, actor);
   };

@@ -9,7 +9,7 @@ double vtkCloudTextureMapper::GetCoverageUsed()
 {
   this->ChooseWaves();
   return this->UseThreshold
-    ? nephoscope::coverOfThreshold(this->Internals->InUse, this->Threshold, this->Softness)
+    ? nephoscope::CoverOfThreshold(this->Internals->InUse, this->Threshold, this->Softness)
     : this->Coverage;
 }
 
@@ -17,7 +17,7 @@ double vtkCloudTextureMapper::GetThresholdUsed()
 {
   this->ChooseWaves();
   return this->UseThreshold ? this->Threshold
-                            : nephoscope::thresholdOfCover(
+                            : nephoscope::ThresholdOfCover(
                                 this->Internals->ThresholdTable(), this->Coverage, this->Softness);
 }
 
@@ -60,7 +60,7 @@ void vtkCloudTextureMapper::SetCustomWave(int i, double amplitude, double b, dou
 
 void vtkCloudTextureMapper::GetCustomWave(int i, double values[9]) const
 {
-  nephoscope::listWave(this->Internals->Custom, i, values);
+  nephoscope::ListWave(this->Internals->Custom, i, values);
 }
 
 int vtkCloudTextureMapper::GetNumberOfWavesUsed() const
@@ -70,23 +70,23 @@ int vtkCloudTextureMapper::GetNumberOfWavesUsed() const
 
 void vtkCloudTextureMapper::GetWaveUsed(int i, double values[9]) const
 {
-  nephoscope::listWave(this->Internals->InUse, i, values);
+  nephoscope::ListWave(this->Internals->InUse, i, values);
 }
 
 void vtkCloudTextureMapper::ChooseWaves()
 {
   vtkInternals& own = *this->Internals;
-  own.InUse = nephoscope::normalized(
-    this->Waves == WAVES_CUSTOM ? own.Custom : nephoscope::presetWaves(this->Waves));
+  own.InUse = nephoscope::Normalized(
+    this->Waves == WAVES_CUSTOM ? own.Custom : nephoscope::PresetWaves(this->Waves));
   const std::string error =
-    this->Waves == WAVES_CUSTOM ? nephoscope::describeUnusable(own.Custom) : std::string();
+    this->Waves == WAVES_CUSTOM ? nephoscope::DescribeUnusable(own.Custom) : std::string();
   if (!error.empty())
   {
-    own.InUse = nephoscope::cloudWaves();
+    own.InUse = nephoscope::CloudWaves();
   }
   if (own.Surface.WrapsAround)
   {
-    nephoscope::closeOnLongitudes(own.InUse);
+    nephoscope::CloseOnLongitudes(own.InUse);
   }
   if (!error.empty() && error != own.LastWavesError)
   {

@@ -70,7 +70,7 @@ void HazeLink::FindSun()
   this->IsLit = vtkMath::Normalize(this->Sun) > 0;
   if (!this->IsLit)
   {
-    this->IsLit = findSunOf(this->Renderer, this->Sun) && vtkMath::Normalize(this->Sun) > 0;
+    this->IsLit = FindSunOf(this->Renderer, this->Sun) && vtkMath::Normalize(this->Sun) > 0;
   }
 }
 

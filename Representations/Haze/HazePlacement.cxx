@@ -22,7 +22,7 @@ constexpr double heightsInWidth = 10; // a thin scene in a thin layer would have
 constexpr double deepest = 10; // scale heights under the ground, where air is 22,000 times as dense
 
 /** 1 if the scene has the size of the Earth in metres about the origin, 1000 if in kilometres; else 0. */
-double metresPerUnitOfEarth(const HazeScene& scene)
+double MetresPerUnitOfEarth(const HazeScene& scene)
 {
   for (const double metres : { 1.0, 1000.0 })
   {
@@ -41,7 +41,7 @@ double metresPerUnitOfEarth(const HazeScene& scene)
 }
 
 /** Along `up`, of all corners of the bounds. */
-void levels(const HazeScene& scene, const double up[3], double& low, double& high)
+void Levels(const HazeScene& scene, const double up[3], double& low, double& high)
 {
   const double length = std::hypot(up[0], up[1], up[2]);
   low = high = 0;
@@ -54,7 +54,7 @@ void levels(const HazeScene& scene, const double up[3], double& low, double& hig
 }
 
 /** The altitude over the ground of the eye or the highest corner of the bounds, in scale heights. */
-double highestAltitude(const HazePlacement& place, vtkHaze* haze, const HazeScene& scene)
+double HighestAltitude(const HazePlacement& place, vtkHaze* haze, const HazeScene& scene)
 {
   if (!place.OnGlobe)
   {
@@ -65,7 +65,7 @@ double highestAltitude(const HazePlacement& place, vtkHaze* haze, const HazeScen
       seen.Low[c] = std::min(seen.Low[c], scene.Eye[c]);
       seen.High[c] = std::max(seen.High[c], scene.Eye[c]);
     }
-    levels(seen, haze->GetUpDirection(), low, high);
+    Levels(seen, haze->GetUpDirection(), low, high);
     return (high - place.BaseLevel) / place.ScaleHeight;
   }
   double farthest[3];
@@ -80,7 +80,7 @@ double highestAltitude(const HazePlacement& place, vtkHaze* haze, const HazeScen
     place.ScaleHeight;
 }
 
-std::string describe(const HazePlacement& place, vtkHaze* haze)
+std::string Describe(const HazePlacement& place, vtkHaze* haze)
 {
   std::ostringstream text;
   text << "Haze hides everything: eye and scene lie deep under the ground, ";
@@ -103,7 +103,7 @@ std::string describe(const HazePlacement& place, vtkHaze* haze)
 
 HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
 {
-  const double metres = scene.IsEmpty() ? 0 : metresPerUnitOfEarth(scene);
+  const double metres = scene.IsEmpty() ? 0 : MetresPerUnitOfEarth(scene);
   const bool told = scene.GlobeGridProjection >= 0;
   const bool automatic = haze->GetProjection() == vtkHaze::AUTOMATIC;
   this->Exists = !scene.IsEmpty() || !haze->NeedsScene();
@@ -115,7 +115,7 @@ HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
     : metres > 0                             ? earthRadius / metres
                                              : earthRadius;
   double low = 0, high = 0;
-  levels(scene, haze->GetUpDirection(), low, high);
+  Levels(scene, haze->GetUpDirection(), low, high);
   const bool overFlatGround = !this->OnGlobe && !told && !scene.IsEmpty();
   const bool found = automatic && overFlatGround;
   this->BaseLevel = haze->GetBaseLevel() + (found ? low : 0);
@@ -135,9 +135,9 @@ HazePlacement::HazePlacement(vtkHaze* haze, const HazeScene& scene)
   const double visibility = std::max(visibleHeights * this->ScaleHeight, visibleWidths * width);
   this->Extinction =
     haze->GetVisibility() > 0 ? haze->GetExtinction() : visibilityTimesExtinction / visibility;
-  if (this->Exists && !scene.IsEmpty() && highestAltitude(*this, haze, scene) < -deepest)
+  if (this->Exists && !scene.IsEmpty() && HighestAltitude(*this, haze, scene) < -deepest)
   {
-    this->Problem = describe(*this, haze);
+    this->Problem = Describe(*this, haze);
   }
 }
 

@@ -24,7 +24,7 @@ HazeScene::HazeScene(vtkRenderer* renderer)
     }
   }
   const auto take = [renderer](const char* name, double& value) {
-    value = greatestFieldValue(renderer, name, value);
+    value = GreatestFieldValue(renderer, name, value);
   };
   take("GlobeGridProjection", this->GlobeGridProjection);
   take("PlanetRadius", this->PlanetRadius);

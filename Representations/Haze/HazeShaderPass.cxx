@@ -24,7 +24,7 @@ namespace
 {
 // Volumes have shaders of other kinds.
 template <typename Function>
-void forEachSurface(vtkRenderer* renderer, const Function& function)
+void ForEachSurface(vtkRenderer* renderer, const Function& function)
 {
   vtkCollectionSimpleIterator iterator;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -48,7 +48,7 @@ void HazeShaderPass::Enter(vtkRenderer* renderer)
     this->Functions = functions;
     this->FunctionsTime.Modified();
   }
-  forEachSurface(renderer, [this](vtkProp* prop) {
+  ForEachSurface(renderer, [this](vtkProp* prop) {
     vtkInformation* keys = prop->GetPropertyKeys();
     if (!keys)
     {
@@ -62,7 +62,7 @@ void HazeShaderPass::Enter(vtkRenderer* renderer)
 
 void HazeShaderPass::Leave(vtkRenderer* renderer)
 {
-  forEachSurface(renderer, [this](vtkProp* prop) {
+  ForEachSurface(renderer, [this](vtkProp* prop) {
     vtkInformation* keys = prop->GetPropertyKeys();
     if (keys && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
     {

@@ -29,7 +29,7 @@ namespace
 {
 constexpr double sameSun = 0.9994; // cosine of 2 degrees
 
-void forEachLitVolume(
+void ForEachLitVolume(
   vtkRenderer* renderer, const std::function<void(vtkVolume*, vtkDataSet*)>& body)
 {
   vtkCollectionSimpleIterator iterator;
@@ -55,7 +55,7 @@ void forEachLitVolume(
 }
 
 // The sun that data were lit by; false where they do not tell.
-bool sunOf(vtkDataSet* data, double sun[3])
+bool SunOf(vtkDataSet* data, double sun[3])
 {
   vtkDataArray* told = data->GetFieldData()->GetArray("SunDirection");
   if (!told || told->GetNumberOfTuples() < 1 || told->GetNumberOfComponents() != 3)
@@ -66,7 +66,7 @@ bool sunOf(vtkDataSet* data, double sun[3])
   return vtkMath::Normalize(sun) > 0;
 }
 
-std::string otherSun(const double towardsSun[3], const double ofClouds[3])
+std::string OtherSun(const double towardsSun[3], const double ofClouds[3])
 {
   std::ostringstream words;
   words << "Clouds cast no shadows in the haze: they are lit by a sun in the direction ("
@@ -92,18 +92,18 @@ std::vector<LitClouds> HazeShadows::FindClouds(vtkRenderer* renderer, const doub
 {
   std::vector<LitClouds> clouds;
   this->Problem.clear();
-  forEachLitVolume(renderer, [&](vtkVolume* volume, vtkDataSet* data) {
+  ForEachLitVolume(renderer, [&](vtkVolume* volume, vtkDataSet* data) {
     auto matrix = vtkSmartPointer<vtkMatrix4x4>::New();
     volume->GetMatrix(matrix);
     double sun[4] = { 0, 0, 0, 0 };
-    if (sunOf(data, sun) && vtkMath::Dot(sun, towardsSun) < sameSun)
+    if (SunOf(data, sun) && vtkMath::Dot(sun, towardsSun) < sameSun)
     {
       double turned[4]; // with the volume
       matrix->MultiplyPoint(sun, turned);
       vtkMath::Normalize(turned);
       if (vtkMath::Dot(turned, towardsSun) < sameSun)
       {
-        this->Problem = otherSun(towardsSun, sun);
+        this->Problem = OtherSun(towardsSun, sun);
         return;
       }
     }
@@ -121,7 +121,7 @@ void HazeShadows::Find(
     return;
   }
   std::vector<Version> versions;
-  forEachLitVolume(renderer, [&](vtkVolume* volume, vtkDataSet* data) {
+  ForEachLitVolume(renderer, [&](vtkVolume* volume, vtkDataSet* data) {
     vtkNew<vtkMatrix4x4> matrix;
     volume->GetMatrix(matrix);
     std::array<double, 16> elements;

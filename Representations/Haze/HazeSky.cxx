@@ -39,7 +39,7 @@ const char* const vertexShader =
   "  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, hazeDepth, 1.0);\n"
   "}\n";
 
-std::string fragmentShader(const HazeView& view)
+std::string FragmentShader(const HazeView& view)
 {
   std::string source = HazeSkyFragment;
   vtkShaderProgram::Substitute(source, "//NEPHOSCOPE::HazeFragment", HazeFragmentFunctions);
@@ -85,7 +85,7 @@ int HazeSky::RenderOpaqueGeometry(vtkViewport* viewport)
   }
   this->Window.Enter(window);
   vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(vertexShader, fragmentShader(view).c_str(), "");
+    window->GetShaderCache()->ReadyShaderProgram(vertexShader, FragmentShader(view).c_str(), "");
   if (!program)
   {
     vtkErrorMacro("The shader of the haze in front of the background did not compile.");

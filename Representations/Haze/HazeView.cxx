@@ -23,7 +23,7 @@ namespace nephoscope
 {
 namespace
 {
-void toView(vtkMatrix4x4* worldToView, const double in[3], double w, double out[3])
+void ToView(vtkMatrix4x4* worldToView, const double in[3], double w, double out[3])
 {
   const double p[4] = { in[0], in[1], in[2], w };
   double q[4];
@@ -51,10 +51,10 @@ HazeView::HazeView(vtkRenderer* renderer)
   this->On = true;
   const HazePlacement& placement = link->GetPlacement();
   this->OnGlobe = placement.OnGlobe;
-  this->Parallel = isParallel(device);
+  this->Parallel = IsParallelProjection(device);
   this->Unit = static_cast<float>(1 / placement.ScaleHeight);
   this->Extinction = static_cast<float>(placement.Extinction * placement.ScaleHeight);
-  Vector4 eye = findEye(device);
+  Vector4 eye = FindEye(device);
   double start[3] = { 0, 0, 0 }; // the camera
   for (int c = 0; c < 3; ++c)
   {
@@ -76,7 +76,7 @@ void HazeView::SetSun(const HazeLink& link, vtkMatrix4x4* worldToView)
     return;
   }
   double inView[3];
-  toView(worldToView, link.GetSun(), 0, inView);
+  ToView(worldToView, link.GetSun(), 0, inView);
   std::copy_n(inView, 3, this->Sun);
   this->ShadowUnit = link.GetShadows().GetUnit();
   if (this->ShadowUnit >= 0)
@@ -99,7 +99,7 @@ void HazeView::SetPlace(
   double frame[3], place[3];
   vtkNew<vtkMatrix4x4> viewToWorld;
   vtkMatrix4x4::Invert(worldToView, viewToWorld);
-  toView(viewToWorld, start, 1, place);
+  ToView(viewToWorld, start, 1, place);
   if (this->OnGlobe)
   {
     double fromCenter[3], squares = 0;
@@ -108,7 +108,7 @@ void HazeView::SetPlace(
       fromCenter[c] = (place[c] - haze.GetCenter()[c]) / scaleHeight;
       squares += fromCenter[c] * fromCenter[c];
     }
-    toView(worldToView, fromCenter, 0, frame);
+    ToView(worldToView, fromCenter, 0, frame);
     this->Height[0] = static_cast<float>(std::sqrt(squares));
     this->Height[1] = static_cast<float>(std::sqrt(squares) - placement.Radius / scaleHeight);
   }
@@ -117,7 +117,7 @@ void HazeView::SetPlace(
     const double* up = haze.GetUpDirection();
     const double length = std::sqrt(up[0] * up[0] + up[1] * up[1] + up[2] * up[2]);
     const double unit[3] = { up[0] / length, up[1] / length, up[2] / length };
-    toView(worldToView, unit, 0, frame);
+    ToView(worldToView, unit, 0, frame);
     const double level = unit[0] * place[0] + unit[1] * place[1] + unit[2] * place[2];
     const double altitude = placement.MovesDown ? std::max(0.0, level - placement.BaseLevel)
                                                 : level - placement.BaseLevel;

@@ -40,7 +40,7 @@ constexpr double samples = 1 << 19; // of the lattice, about
 constexpr double unknown = -1;
 constexpr double rounding = 1e-6; // of places in the lattice
 
-void darken(double& fraction, double found)
+void Darken(double& fraction, double found)
 {
   if (found >= 0) // which NaN is not
   {
@@ -49,7 +49,7 @@ void darken(double& fraction, double found)
 }
 
 // The fractions of a dataset and its hidden cells, without its other arrays.
-vtkSmartPointer<vtkDataSet> fractionsOf(vtkDataSet* data)
+vtkSmartPointer<vtkDataSet> FractionsOf(vtkDataSet* data)
 {
   auto bare = vtk::TakeSmartPointer(data->NewInstance());
   bare->CopyStructure(data);
@@ -66,7 +66,7 @@ vtkSmartPointer<vtkDataSet> fractionsOf(vtkDataSet* data)
 }
 
 // Fast where a cell is found from the coordinates alone.
-vtkSmartPointer<vtkDataSet> placesIn(vtkImageData* lattice, vtkMatrix4x4* toData)
+vtkSmartPointer<vtkDataSet> PlacesIn(vtkImageData* lattice, vtkMatrix4x4* toData)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkDataSet> placesIn(vtkImageData* lattice, vtkMatrix4x4* toData
 }
 
 // Voxels have faces across the axes, which they lose where they are turned.
-bool hasVoxels(vtkDataSet* data)
+bool HasVoxels(vtkDataSet* data)
 {
   for (vtkIdType cell = 0; data->IsA("vtkUnstructuredGrid") && cell < data->GetNumberOfCells();
        ++cell)
@@ -97,10 +97,10 @@ bool hasVoxels(vtkDataSet* data)
   return false;
 }
 
-vtkSmartPointer<vtkDataSet> moved(vtkDataSet* data, vtkMatrix4x4* matrix)
+vtkSmartPointer<vtkDataSet> Moved(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
   vtkNew<vtkDataSetTriangleFilter> tetrahedra;
-  if (hasVoxels(data))
+  if (HasVoxels(data))
   {
     tetrahedra->SetInputData(data);
     tetrahedra->Update();
@@ -128,7 +128,7 @@ SunlightMap::SunlightMap(
     static_cast<std::size_t>(this->Image->GetNumberOfPoints()), unknown);
   for (const LitClouds& each : clouds)
   {
-    const vtkSmartPointer<vtkDataSet> bare = fractionsOf(each.Data);
+    const vtkSmartPointer<vtkDataSet> bare = FractionsOf(each.Data);
     vtkNew<vtkMatrix4x4> toSun;
     vtkMatrix4x4::Multiply4x4(this->ToSun, each.ToWorld, toSun);
     this->SampleInside(bare, toSun, fractions);
@@ -231,13 +231,13 @@ void SunlightMap::SampleInside(
   {
     vtkNew<vtkMatrix4x4> toData;
     vtkMatrix4x4::Invert(toSun, toData);
-    probe->SetInputData(placesIn(this->Image, toData));
+    probe->SetInputData(PlacesIn(this->Image, toData));
     probe->SetSourceData(clouds);
   }
   else
   {
     probe->SetInputData(this->Image);
-    probe->SetSourceData(moved(clouds, toSun));
+    probe->SetSourceData(Moved(clouds, toSun));
   }
   probe->Update();
   vtkPointData* probed = probe->GetOutput()->GetPointData();
@@ -248,7 +248,7 @@ void SunlightMap::SampleInside(
     const auto at = static_cast<vtkIdType>(i);
     if (valid->GetComponent(at, 0) > 0)
     {
-      darken(fractions[i], fraction->GetComponent(at, 0));
+      Darken(fractions[i], fraction->GetComponent(at, 0));
     }
   }
 }
@@ -334,7 +334,7 @@ void SunlightMap::Shade(const std::array<Corner, 3>& triangle, std::vector<doubl
       }
       const double height = a[2] + ofB * (b[2] - a[2]) + ofC * (c[2] - a[2]);
       const int behind = std::clamp(static_cast<int>(std::floor(height)), 0, size[2] - 1);
-      darken(fractions[static_cast<std::size_t>(i) +
+      Darken(fractions[static_cast<std::size_t>(i) +
                static_cast<std::size_t>(size[0]) *
                  (static_cast<std::size_t>(j) +
                    static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(behind))],

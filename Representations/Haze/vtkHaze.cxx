@@ -19,7 +19,7 @@ namespace
 {
 constexpr double visibilityTimesExtinction = 3.912; // -ln 0.02, Koschmieder1924
 
-bool isFinite(const double v[3])
+bool IsFinite(const double v[3])
 {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
@@ -138,13 +138,13 @@ void vtkHaze::SetColor(double red, double green, double blue)
 void vtkHaze::SetSunDirection(double x, double y, double z)
 {
   const double sun[3] = { x, y, z };
-  this->SetVector(this->SunDirection, "SunDirection", "finite", sun, isFinite(sun));
+  this->SetVector(this->SunDirection, "SunDirection", "finite", sun, IsFinite(sun));
 }
 
 void vtkHaze::SetCenter(double x, double y, double z)
 {
   const double center[3] = { x, y, z };
-  this->SetVector(this->Center, "Center", "finite", center, isFinite(center));
+  this->SetVector(this->Center, "Center", "finite", center, IsFinite(center));
 }
 
 void vtkHaze::SetUpDirection(double x, double y, double z)
@@ -152,7 +152,7 @@ void vtkHaze::SetUpDirection(double x, double y, double z)
   const double up[3] = { x, y, z };
   const double squares = x * x + y * y + z * z;
   this->SetVector(this->UpDirection, "UpDirection", "finite and longer than 0", up,
-    isFinite(up) && squares > 0 && std::isfinite(squares));
+    IsFinite(up) && squares > 0 && std::isfinite(squares));
 }
 
 void vtkHaze::SetBaseLevel(double level)

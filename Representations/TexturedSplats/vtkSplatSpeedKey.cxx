@@ -37,7 +37,7 @@ constexpr double gap = 6.0;       // pixels between keys
 constexpr double veil = 0.6;      // opacity of the background of the words
 constexpr double smallest = 0.75; // size of the letters in a narrow view, of that which was set
 
-std::string numberText(double number)
+std::string NumberText(double number)
 {
   std::ostringstream text;
   text.precision(4);
@@ -45,29 +45,29 @@ std::string numberText(double number)
   return text.str();
 }
 
-std::string lengthText(double metres)
+std::string LengthText(double metres)
 {
-  return metres >= 1000.0 ? numberText(metres / 1000.0) + " km" : numberText(metres) + " m";
+  return metres >= 1000.0 ? NumberText(metres / 1000.0) + " km" : NumberText(metres) + " m";
 }
 
-std::string timeText(double seconds)
+std::string TimeText(double seconds)
 {
   constexpr double minute = 60.0, hour = 3600.0, day = 86400.0;
-  return seconds >= day ? numberText(seconds / day) + (seconds == day ? " day" : " days")
-    : seconds >= hour   ? numberText(seconds / hour) + " h"
-    : seconds >= minute ? numberText(seconds / minute) + " min"
-                        : numberText(seconds) + " s";
+  return seconds >= day ? NumberText(seconds / day) + (seconds == day ? " day" : " days")
+    : seconds >= hour   ? NumberText(seconds / hour) + " h"
+    : seconds >= minute ? NumberText(seconds / minute) + " min"
+                        : NumberText(seconds) + " s";
 }
 
 using Box = std::array<double, 4>; // left, right, bottom and top
 
-bool overlap(const Box& a, const Box& b)
+bool Overlap(const Box& a, const Box& b)
 {
   return a[0] < b[1] && b[0] < a[1] && a[2] < b[3] && b[2] < a[3];
 }
 
 // With the title, which may stand above the frame of the bar.
-Box boxOf(vtkScalarBarActor* bar, vtkViewport* viewport)
+Box BoxOf(vtkScalarBarActor* bar, vtkViewport* viewport)
 {
   const double* corner = bar->GetPositionCoordinate()->GetComputedDoubleViewportValue(viewport);
   const double left = corner[0], bottom = corner[1];
@@ -79,13 +79,13 @@ Box boxOf(vtkScalarBarActor* bar, vtkViewport* viewport)
 }
 
 // The first free place for the box from its bottom upwards, or where it is if there is none.
-double freeBottom(Box box, const std::vector<Box>& taken, double height)
+double FreeBottom(Box box, const std::vector<Box>& taken, double height)
 {
   const double wanted = box[2], size = box[3] - box[2];
   for (std::size_t i = 0; i <= taken.size(); ++i)
   {
     const auto hit = std::find_if(
-      taken.begin(), taken.end(), [&](const Box& other) { return overlap(box, other); });
+      taken.begin(), taken.end(), [&](const Box& other) { return Overlap(box, other); });
     if (hit == taken.end())
     {
       return box[3] <= height ? box[2] : wanted;
@@ -96,7 +96,7 @@ double freeBottom(Box box, const std::vector<Box>& taken, double height)
   return wanted;
 }
 
-double widthOf(const std::string& text, vtkTextProperty* style, int dpi)
+double WidthOf(const std::string& text, vtkTextProperty* style, int dpi)
 {
   std::array<int, 4> box{ { 0, -1, 0, -1 } };
   vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
@@ -104,7 +104,7 @@ double widthOf(const std::string& text, vtkTextProperty* style, int dpi)
                                                                             : 0;
 }
 
-bool isNumber(const std::string& word)
+bool IsNumber(const std::string& word)
 {
   const std::size_t first = word.find_first_not_of('(');
   return first != std::string::npos && word.back() != ')' &&
@@ -112,11 +112,11 @@ bool isNumber(const std::string& word)
 }
 
 // A number with its unit is one word.
-bool nextWord(std::istringstream& words, std::string& word)
+bool NextWord(std::istringstream& words, std::string& word)
 {
   std::string unit;
   const bool found = static_cast<bool>(words >> word);
-  if (found && isNumber(word) && words >> unit)
+  if (found && IsNumber(word) && words >> unit)
   {
     word += " " + unit;
   }
@@ -124,7 +124,7 @@ bool nextWord(std::istringstream& words, std::string& word)
 }
 
 // With the words that do not fit into the width on lines of their own.
-std::string broken(const std::string& text, vtkTextProperty* style, int dpi, double width)
+std::string Broken(const std::string& text, vtkTextProperty* style, int dpi, double width)
 {
   std::istringstream lines(text);
   std::string result, line;
@@ -132,10 +132,10 @@ std::string broken(const std::string& text, vtkTextProperty* style, int dpi, dou
   {
     std::istringstream words(line);
     std::string part, word;
-    while (nextWord(words, word))
+    while (NextWord(words, word))
     {
       const std::string longer = part.empty() ? word : part + " " + word;
-      const bool fits = part.empty() || widthOf(longer, style, dpi) <= width;
+      const bool fits = part.empty() || WidthOf(longer, style, dpi) <= width;
       result += fits ? "" : part + "\n";
       part = fits ? longer : word;
     }
@@ -146,7 +146,7 @@ std::string broken(const std::string& text, vtkTextProperty* style, int dpi, dou
 }
 
 // Pixels of a unit of length at the focal point.
-double pixelsOfUnit(vtkRenderer* renderer, vtkVolume* volume)
+double PixelsOfUnit(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const double height = camera->GetParallelProjection() ? 2.0 * camera->GetParallelScale()
@@ -245,16 +245,16 @@ std::string vtkSplatSpeedKey::Describe(
       nephoscope::RoundDown(std::min(greatest, most / (passing * seconds * pixels)));
     const double way = speed * passing * seconds;
     arrow = way * pixels;
-    const std::string film = numberText(seconds) + " " + this->FilmUnit;
-    text = (unit.empty() ? "speed " : "") + numberText(speed) + unit + " moves this far (" +
-      (metres ? lengthText(way) : numberText(way)) + ") in " + film + "\n" +
+    const std::string film = NumberText(seconds) + " " + this->FilmUnit;
+    text = (unit.empty() ? "speed " : "") + NumberText(speed) + unit + " moves this far (" +
+      (metres ? LengthText(way) : NumberText(way)) + ") in " + film + "\n" +
       (seconds == 1.0 ? film : "1 " + this->FilmUnit) + " shows " +
-      (metres ? timeText(passing) : numberText(passing) + " of the data's time") + "\n";
+      (metres ? TimeText(passing) : NumberText(passing) + " of the data's time") + "\n";
   }
   const char* kind = mapper->GetVectorStyle() == vtkTexturedSplatMapper::SEGMENTS
     ? "longest segments: "
     : "fastest streaks: ";
-  return text + kind + (unit.empty() ? "speed " : "") + numberText(greatest) + unit;
+  return text + kind + (unit.empty() ? "speed " : "") + NumberText(greatest) + unit;
 }
 
 // In letters, and in lines, that fit into the view.
@@ -263,12 +263,12 @@ void vtkSplatSpeedKey::Write(vtkViewport* viewport, bool hasArrow)
   const int dpi = viewport->GetVTKWindow()->GetDPI();
   const double left = this->PositionCoordinate->GetComputedDoubleViewportValue(viewport)[0];
   const double room = std::max(viewport->GetSize()[0] - left - gap, 1.0);
-  const double share = room / std::max(widthOf(this->Text, this->Style, dpi), 1.0);
+  const double share = room / std::max(WidthOf(this->Text, this->Style, dpi), 1.0);
   vtkNew<vtkTextProperty> style;
   style->ShallowCopy(this->Style);
   style->SetFontSize(
     static_cast<int>(std::floor(this->Style->GetFontSize() * std::clamp(share, smallest, 1.0))));
-  const std::string text = share < smallest ? broken(this->Text, style, dpi, room) : this->Text;
+  const std::string text = share < smallest ? Broken(this->Text, style, dpi, room) : this->Text;
   this->Words->GetTextProperty()->ShallowCopy(style);
   this->Words->SetInput(
     (hasArrow ? " \n" + text : text).c_str()); // the first line is that of the arrow
@@ -293,11 +293,11 @@ void vtkSplatSpeedKey::Place(vtkViewport* viewport, double arrow)
     auto* bar = vtkScalarBarActor::SafeDownCast(prop);
     if (bar && bar->GetVisibility())
     {
-      taken.push_back(boxOf(bar, viewport));
+      taken.push_back(BoxOf(bar, viewport));
     }
   }
   this->Rectangle = { { x, x + std::max(size[0], arrow), y, y + size[1] } };
-  y = freeBottom(this->Rectangle, taken, viewport->GetSize()[1]);
+  y = FreeBottom(this->Rectangle, taken, viewport->GetSize()[1]);
   this->Rectangle[2] = y;
   this->Rectangle[3] = y + size[1];
   this->Words->GetPositionCoordinate()->SetValue(x, y);
@@ -342,7 +342,7 @@ int vtkSplatSpeedKey::RenderOverlay(vtkViewport* viewport)
   auto* renderer = vtkRenderer::SafeDownCast(viewport);
   double arrow = 0.0;
   this->Text = this->Describe(
-    mapper, pixelsOfUnit(renderer, this->Volume), longest * viewport->GetSize()[0], arrow);
+    mapper, PixelsOfUnit(renderer, this->Volume), longest * viewport->GetSize()[0], arrow);
   if (this->Repeats(viewport))
   {
     this->Text.clear();

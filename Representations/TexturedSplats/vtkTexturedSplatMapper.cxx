@@ -128,7 +128,7 @@ void vtkTexturedSplatMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* volum
   vtkDataSet* input = this->GetDataSetInput();
   if (!input || input->GetNumberOfPoints() == 0)
   {
-    const std::string error = nephoscope::checkIsDataSet(this->GetInputDataObject(0, 0));
+    const std::string error = nephoscope::CheckIsDataSet(this->GetInputDataObject(0, 0));
     this->ReportOnce(error.empty() ? "The input has no points: there is nothing to draw." : error);
     return;
   }
@@ -155,10 +155,10 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   nephoscope::SplatFields fields{ {}, {}, volume->GetProperty(),
     this->InterpolateScalarsBeforeMapping };
   constexpr double longest = 1e12; // whose volume is a number in single precision
-  std::string error = nephoscope::checkLengths(input, longest);
+  std::string error = nephoscope::CheckLengths(input, longest);
   if (error.empty())
   {
-    error = nephoscope::checkUnitDistance(fields.Property);
+    error = nephoscope::CheckUnitDistance(fields.Property);
   }
   if (error.empty())
   {
@@ -166,12 +166,12 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   }
   if (error.empty())
   {
-    error = nephoscope::selectScalars(this, input, fields.Property, fields.Scalars);
+    error = nephoscope::SelectScalars(this, input, fields.Property, fields.Scalars);
   }
   if (error.empty())
   {
     error =
-      nephoscope::selectOpacity(this->OpacityArrayName, input, fields.Scalars, fields.Opacity);
+      nephoscope::SelectOpacity(this->OpacityArrayName, input, fields.Scalars, fields.Opacity);
   }
   if (error.empty() && fields.Opacity.Array && fields.Opacity.OnCells != fields.Scalars.OnCells)
   {
@@ -217,7 +217,7 @@ void vtkTexturedSplatMapper::ChooseVectors(vtkDataSet* input, bool onCells)
   this->DrawnVectors = this->VectorArrayName;
   const std::string problem = this->DrawnVectors.empty()
     ? std::string()
-    : nephoscope::checkVectors(input, onCells, this->GetVectorSettings());
+    : nephoscope::CheckVectors(input, onCells, this->GetVectorSettings());
   if (!problem.empty())
   {
     this->DrawnVectors.clear();
@@ -381,7 +381,7 @@ void vtkTexturedSplatMapper::ShallowCopy(vtkAbstractMapper* other)
   {
     return;
   }
-  nephoscope::copyVolumeSettings(mapper, this);
+  nephoscope::CopyVolumeSettings(mapper, this);
   this->CopySettings(mapper);
   nephoscope::SplatVectorScene& scene = this->Internals->Scene.GetVectorScene();
   scene.GetVectors().GoOnFrom(mapper->Internals->Scene.GetVectorScene().GetVectors());

@@ -13,7 +13,7 @@ using nephoscope::SplatRegion;
 
 namespace
 {
-SplatRegion toRegion(const double bounds[6])
+SplatRegion ToRegion(const double bounds[6])
 {
   SplatRegion region;
   std::copy_n(bounds, 6, region.begin());
@@ -39,7 +39,7 @@ void vtkTexturedSplatMapper::SetCommonFrame(
 bool vtkTexturedSplatMapper::DrawsRegion(vtkRenderer* renderer) const
 {
   vtkIdType most = 0;
-  return nephoscope::IsRegion(toRegion(this->Region)) &&
+  return nephoscope::IsRegion(ToRegion(this->Region)) &&
     !this->UsesHierarchy(renderer, this->CommonNumberOfSamples, most);
 }
 
@@ -52,7 +52,7 @@ nephoscope::SplatSampling vtkTexturedSplatMapper::GetSampling(bool onCells) cons
   sampling.FromCells = this->CellSizeFromCells;
   sampling.FromNeighbors = this->CellSizeFromNeighbors;
   sampling.WholeCells = onCells;
-  if (nephoscope::IsRegion(toRegion(this->Region)))
+  if (nephoscope::IsRegion(ToRegion(this->Region)))
   {
     const double* o = this->CommonOrigin;
     sampling.Frame.Origin = std::array<double, 3>{ { o[0], o[1], o[2] } };
@@ -68,7 +68,7 @@ void vtkTexturedSplatMapper::SetRegionOptions(nephoscope::SplatDrawingOptions& o
   {
     return;
   }
-  options.Region = toRegion(this->Region);
+  options.Region = ToRegion(this->Region);
   for (std::size_t i = 0; i < 6; ++i)
   {
     options.Region[i] -= this->CommonOrigin[i / 2];

@@ -40,11 +40,11 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
   vtkDataSet* input = this->GetDataSetInput();
   nephoscope::SplatSampling sampling = this->GetSampling(onCells);
   sampling.RadiusFactor = 1.0;
-  const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
+  const nephoscope::MediumBounds bounds = nephoscope::BoundsOfSamples(input, sampling);
   const nephoscope::MediumMeasures measures =
-    nephoscope::measureSplats(input, sampling, vectors, {}, bounds);
+    nephoscope::MeasureSplats(input, sampling, vectors, {}, bounds);
   const nephoscope::SpeedCounts speeds = nephoscope::CountSpeeds(input, sampling, vectors);
-  const nephoscope::SuitedVectors suited = nephoscope::suitVectors(measures, bounds,
+  const nephoscope::SuitedVectors suited = nephoscope::SuitVectorsTo(measures, bounds,
     this->MaximumSpeed > 0 ? this->MaximumSpeed : speeds.GetFull(), speeds.GetNumber());
   if (share)
   {
@@ -73,16 +73,16 @@ double vtkTexturedSplatMapper::FindUnitDistance(vtkVolumeProperty* property)
   vtkDataSet* input = this->GetDataSetInput();
   nephoscope::ScalarSelection scalars;
   const nephoscope::ScalarSelection read =
-    nephoscope::selectOpaque(this, input, property, this->OpacityArrayName, scalars);
+    nephoscope::SelectOpaque(this, input, property, this->OpacityArrayName, scalars);
   if (!read.Array || read.OnCells != scalars.OnCells)
   {
     return 0.0; // drawing will tell
   }
   nephoscope::SplatSampling sampling = this->GetSampling(scalars.OnCells);
   sampling.RadiusFactor = 1.0; // the mass of wider splats is the same
-  const nephoscope::MediumBounds bounds = nephoscope::boundsOfSamples(input, sampling);
-  return nephoscope::defaultUnitDistance(
-    nephoscope::measureSplats(
-      input, sampling, read.Array, nephoscope::fullOpacity(property->GetScalarOpacity()), bounds),
+  const nephoscope::MediumBounds bounds = nephoscope::BoundsOfSamples(input, sampling);
+  return nephoscope::DefaultUnitDistance(
+    nephoscope::MeasureSplats(
+      input, sampling, read.Array, nephoscope::FullOpacity(property->GetScalarOpacity()), bounds),
     bounds, false);
 }

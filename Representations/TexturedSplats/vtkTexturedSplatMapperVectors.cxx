@@ -23,7 +23,7 @@
 namespace
 {
 // Even samples of the colours from one end of the transfer function to the other.
-std::vector<nephoscope::StreakColor> colorsOf(vtkVolumeProperty* property)
+std::vector<nephoscope::StreakColor> ColorsOf(vtkVolumeProperty* property)
 {
   constexpr int samples = 256;
   const bool hasColors = property->GetColorChannels() == 3;
@@ -60,7 +60,7 @@ void vtkTexturedSplatMapper::SuitVectorColor(
   const nephoscope::StreakColor ends[2] = { { { bottom[0], bottom[1], bottom[2] } },
     { { top[0], top[1], top[2] } } };
   const nephoscope::StreakColor color =
-    nephoscope::ContrastingColor({ ends[0], ends[1] }, colorsOf(property));
+    nephoscope::ContrastingColor({ ends[0], ends[1] }, ColorsOf(property));
   this->SetVectorColor(color[0], color[1], color[2]);
   this->SetUseVectorColor(true);
 }

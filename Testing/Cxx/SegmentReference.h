@@ -35,7 +35,7 @@ constexpr long double gaussKronrodNodes[8][3] = {
 };
 
 template <typename Function>
-ReferenceWeights adaptiveIntegral(const Function& f, long double low, long double high, int depth)
+ReferenceWeights AdaptiveIntegral(const Function& f, long double low, long double high, int depth)
 {
   const long double center = 0.5L * (low + high), half = 0.5L * (high - low);
   ReferenceWeights fine, coarse;
@@ -57,13 +57,13 @@ ReferenceWeights adaptiveIntegral(const Function& f, long double low, long doubl
   {
     return fine;
   }
-  const ReferenceWeights left = adaptiveIntegral(f, low, center, depth - 1);
-  const ReferenceWeights right = adaptiveIntegral(f, center, high, depth - 1);
+  const ReferenceWeights left = AdaptiveIntegral(f, low, center, depth - 1);
+  const ReferenceWeights right = AdaptiveIntegral(f, center, high, depth - 1);
   return { left.Front + right.Front, left.Back + right.Back };
 }
 
 /** Weights of the source colours at the front and back end. */
-inline ReferenceWeights referenceWeights(long double tauFront, long double tauBack)
+inline ReferenceWeights FindReferenceWeights(long double tauFront, long double tauBack)
 {
   const long double slope = tauBack - tauFront;
   const auto emission = [&](long double t) {
@@ -76,7 +76,7 @@ inline ReferenceWeights referenceWeights(long double tauFront, long double tauBa
   ReferenceWeights sum;
   for (int i = 0; i < 5; ++i)
   {
-    const ReferenceWeights part = adaptiveIntegral(emission, ends[i], ends[i + 1], 30);
+    const ReferenceWeights part = AdaptiveIntegral(emission, ends[i], ends[i + 1], 30);
     sum.Front += part.Front;
     sum.Back += part.Back;
   }
@@ -84,7 +84,7 @@ inline ReferenceWeights referenceWeights(long double tauFront, long double tauBa
 }
 
 /** Psi = int_0^1 exp(-A(t)) dt from erf; for tb > tf not too close to each other, and tf not large. */
-inline long double closedFormPsi(long double tf, long double tb)
+inline long double ClosedFormPsi(long double tf, long double tb)
 {
   const long double d = tb - tf, q = std::sqrt(2 * d);
   return std::sqrt(std::acos(-1.0L)) / q * std::exp(tf * tf / (2 * d)) *
@@ -92,7 +92,7 @@ inline long double closedFormPsi(long double tf, long double tb)
 }
 
 /** Psi = exp(-z) sum_k r^k i_k(z), z = (tf + tb) / 4, r = (tb - tf) / (tb + tf), i_k the modified spherical Bessel functions. */
-inline long double besselSeriesPsi(long double tf, long double tb)
+inline long double BesselSeriesPsi(long double tf, long double tb)
 {
   const long double z = 0.25L * (tf + tb), r = (tb - tf) / (tb + tf);
   long double sum = 0, first = 1; // first = z^k / (2k + 1)!!

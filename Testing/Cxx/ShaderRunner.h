@@ -41,7 +41,7 @@ namespace nephoscope_test
 using Float4 = std::array<float, 4>;
 
 /** The text of a shader file of the technique under test. */
-inline std::string readShader(const std::string& name)
+inline std::string ReadShader(const std::string& name)
 {
   std::ifstream file(NEPHOSCOPE_SHADER_FOLDER "/" + name);
   std::stringstream text;
@@ -110,7 +110,7 @@ public:
     const std::string source =
       "//VTK::System::Dec\n//VTK::Output::Dec\nuniform sampler2D firstInput;\n"
       "uniform sampler2D secondInput;\nin vec2 texCoord;\n" +
-      nephoscope::arrayDeclarations(nephoscope::ArrayLayout()) + functions +
+      nephoscope::ArrayDeclarations(nephoscope::ArrayLayout()) + functions +
       "\nvoid main()\n{\n  ivec2 item = ivec2(texCoord * vec2(textureSize(firstInput, 0)));\n"
       "  vec4 first = texelFetch(firstInput, item, 0);\n"
       "  vec4 second = texelFetch(secondInput, item, 0);\n  vec4 result;\n  " +

@@ -27,7 +27,7 @@ namespace nephoscope_test
 using Place = std::function<void(double i, double j, double k, double x[3])>;
 
 /** A structured grid of n0 x n1 x n2 cells, double coordinates, whose point (i, j, k) `place` puts somewhere. */
-inline vtkSmartPointer<vtkStructuredGrid> makeStructuredGrid(
+inline vtkSmartPointer<vtkStructuredGrid> MakeStructuredGrid(
   int n0, int n1, int n2, const Place& place)
 {
   vtkNew<vtkPoints> points;
@@ -50,9 +50,9 @@ inline vtkSmartPointer<vtkStructuredGrid> makeStructuredGrid(
   return grid;
 }
 
-inline vtkSmartPointer<vtkStructuredGrid> makeLattice(int n)
+inline vtkSmartPointer<vtkStructuredGrid> MakeLattice(int n)
 {
-  return makeStructuredGrid(n, n, n, [](double i, double j, double k, double x[3]) {
+  return MakeStructuredGrid(n, n, n, [](double i, double j, double k, double x[3]) {
     x[0] = i;
     x[1] = j;
     x[2] = k;
@@ -60,11 +60,11 @@ inline vtkSmartPointer<vtkStructuredGrid> makeLattice(int n)
 }
 
 /** A shell around the origin in longitude, latitude (degrees) and radius; the first and last meridian coincide exactly. */
-inline vtkSmartPointer<vtkStructuredGrid> makeShell(
+inline vtkSmartPointer<vtkStructuredGrid> MakeShell(
   int longitudes, int latitudes, int layers, double largestLatitude, double inner, double outer)
 {
   const double pi = std::acos(-1.0);
-  return makeStructuredGrid(
+  return MakeStructuredGrid(
     longitudes, latitudes, layers, [=](double i, double j, double k, double x[3]) {
       const double lambda = 2 * pi * std::fmod(i, longitudes) / longitudes;
       const double phi = largestLatitude * pi / 180 * (2 * j / latitudes - 1);
@@ -75,7 +75,7 @@ inline vtkSmartPointer<vtkStructuredGrid> makeShell(
     });
 }
 
-inline vtkSmartPointer<vtkUnstructuredGrid> makeGrid(
+inline vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
   const std::vector<std::array<double, 3>>& places,
   const std::vector<std::pair<int, std::vector<vtkIdType>>>& cells)
 {
@@ -95,7 +95,7 @@ inline vtkSmartPointer<vtkUnstructuredGrid> makeGrid(
 }
 
 /** Adds a named array with one component per function of the point (or cell number). */
-inline vtkDataArray* addScalars(
+inline vtkDataArray* AddScalars(
   vtkDataSet* data, bool onCells, const std::function<double(vtkIdType)>& value)
 {
   vtkNew<vtkDoubleArray> array;
@@ -110,9 +110,9 @@ inline vtkDataArray* addScalars(
   return array;
 }
 
-inline vtkDataArray* addPointNumbers(vtkDataSet* data)
+inline vtkDataArray* AddPointNumbers(vtkDataSet* data)
 {
-  return addScalars(data, false, [](vtkIdType i) { return static_cast<double>(i); });
+  return AddScalars(data, false, [](vtkIdType i) { return static_cast<double>(i); });
 }
 
 } // namespace nephoscope_test

@@ -10,7 +10,7 @@ namespace nephoscope_test
 {
 
 template <typename Function>
-void withThreads(int threads, Function&& function)
+void WithThreads(int threads, Function&& function)
 {
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, "STDThread", false), function);
 }

@@ -30,12 +30,12 @@ struct Cell
 };
 
 template <std::size_t N>
-std::vector<int> list(const int (&faces)[N])
+std::vector<int> List(const int (&faces)[N])
 {
   return std::vector<int>(faces, faces + N);
 }
 
-double signedVolume(const Point& a, const Point& b, const Point& c, const Point& d)
+double SignedVolume(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const double u[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
   const double v[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
@@ -46,7 +46,7 @@ double signedVolume(const Point& a, const Point& b, const Point& c, const Point&
 }
 
 /** A prism over a regular polygon of circumradius 1 and height 2, in VTK's numbering. */
-std::vector<Point> prism(int sides)
+std::vector<Point> PrismWithSides(int sides)
 {
   std::vector<Point> points;
   for (int k = 0; k < 2 * sides; ++k)
@@ -56,12 +56,12 @@ std::vector<Point> prism(int sides)
   }
   return points;
 }
-double prismVolume(int sides)
+double PrismVolume(int sides)
 {
   return sides * std::sin(2 * std::acos(-1.0) / sides); // height 2
 }
 
-std::vector<Cell> makeCells()
+std::vector<Cell> MakeCells()
 {
   const std::vector<Point> cube = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
     { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 0, 1, 1 } } };
@@ -76,50 +76,50 @@ std::vector<Cell> makeCells()
   const std::vector<int> octahedronFaces = { 3, 0, 2, 4, 3, 2, 1, 4, 3, 1, 3, 4, 3, 3, 0, 4, 3, 2,
     0, 5, 3, 1, 2, 5, 3, 3, 1, 5, 3, 0, 3, 5 };
   return {
-    { "tetrahedron", { cube[0], cube[1], cube[3], cube[4] }, list(tetrahedronFaceList), 1.0 / 6 },
-    { "hexahedron", cube, list(hexahedronFaceList), 1 },
-    { "frustum", frustum, list(hexahedronFaceList), 28.0 / 3 },
-    { "voxel", voxel, list(voxelFaceList), 1 },
-    { "wedge", prism(3), list(wedgeFaceList), prismVolume(3) },
-    { "pyramid", pyramid, list(pyramidFaceList), 2.0 / 3 },
-    { "pentagonal prism", prism(5), list(pentagonalPrismFaceList), prismVolume(5) },
-    { "hexagonal prism", prism(6), list(hexagonalPrismFaceList), prismVolume(6) },
+    { "tetrahedron", { cube[0], cube[1], cube[3], cube[4] }, List(tetrahedronFaceList), 1.0 / 6 },
+    { "hexahedron", cube, List(hexahedronFaceList), 1 },
+    { "frustum", frustum, List(hexahedronFaceList), 28.0 / 3 },
+    { "voxel", voxel, List(voxelFaceList), 1 },
+    { "wedge", PrismWithSides(3), List(wedgeFaceList), PrismVolume(3) },
+    { "pyramid", pyramid, List(pyramidFaceList), 2.0 / 3 },
+    { "pentagonal prism", PrismWithSides(5), List(pentagonalPrismFaceList), PrismVolume(5) },
+    { "hexagonal prism", PrismWithSides(6), List(hexagonalPrismFaceList), PrismVolume(6) },
     { "octahedron", octahedron, octahedronFaces, 4.0 / 3 },
   };
 }
 
 /** Tetrahedra of a cell whose vertices have these ranks in the order. */
-std::vector<Tetrahedron> decompose(const std::vector<int>& faces, const std::vector<int>& rank)
+std::vector<Tetrahedron> Decompose(const std::vector<int>& faces, const std::vector<int>& rank)
 {
   std::vector<Tetrahedron> result;
-  decomposeCell(
+  DecomposeCell(
     FaceList<int>{ faces.data(), faces.data() + faces.size() },
     [&](int a, int b) { return rank[std::size_t(a)] < rank[std::size_t(b)]; },
     [&](const Tetrahedron& t) { result.push_back(t); });
   return result;
 }
 
-double totalVolume(const std::vector<Point>& p, const std::vector<Tetrahedron>& tetrahedra)
+double TotalVolume(const std::vector<Point>& p, const std::vector<Tetrahedron>& tetrahedra)
 {
   double sum = 0;
   for (const Tetrahedron& t : tetrahedra)
   {
-    sum += std::fabs(signedVolume(
+    sum += std::fabs(SignedVolume(
       p[std::size_t(t[0])], p[std::size_t(t[1])], p[std::size_t(t[2])], p[std::size_t(t[3])]));
   }
   return sum;
 }
 
-bool contains(const std::vector<Point>& p, const Tetrahedron& t, const Point& x)
+bool Contains(const std::vector<Point>& p, const Tetrahedron& t, const Point& x)
 {
   std::array<Point, 4> v;
   std::transform(t.begin(), t.end(), v.begin(), [&](int i) { return p[std::size_t(i)]; });
-  const double volume = signedVolume(v[0], v[1], v[2], v[3]);
+  const double volume = SignedVolume(v[0], v[1], v[2], v[3]);
   for (std::size_t i = 0; i < 4; ++i)
   {
     std::array<Point, 4> w = v;
     w[i] = x;
-    if (signedVolume(w[0], w[1], w[2], w[3]) / volume <= 0)
+    if (SignedVolume(w[0], w[1], w[2], w[3]) / volume <= 0)
     {
       return false;
     }
@@ -130,7 +130,7 @@ bool contains(const std::vector<Point>& p, const Tetrahedron& t, const Point& x)
 class DecomposedCell : public ::testing::TestWithParam<int>
 {
 protected:
-  const Cell Subject = makeCells()[std::size_t(this->GetParam())];
+  const Cell Subject = MakeCells()[std::size_t(this->GetParam())];
 };
 
 // ---- meshes of several cells --------------------------------------------------------------------------------------
@@ -158,7 +158,7 @@ struct Mesh
 };
 
 template <typename Visit>
-void forEachFace(const std::vector<int>& faces, Visit visit)
+void ForEachFace(const std::vector<int>& faces, Visit visit)
 {
   for (std::size_t i = 0; i < faces.size(); i += std::size_t(faces[i]) + 1)
   {
@@ -167,16 +167,16 @@ void forEachFace(const std::vector<int>& faces, Visit visit)
 }
 
 /** Counts of how often each triangle of the tetrahedra occurs, against what the polygons of the cells promise. */
-void expectMatchingFaces(const Mesh& mesh, const std::vector<int>& rank)
+void ExpectMatchingFaces(const Mesh& mesh, const std::vector<int>& rank)
 {
   std::map<std::vector<int>, int> polygons, triangles;
   for (const auto& cell : mesh.Cells)
   {
-    forEachFace(cell, [&](std::vector<int> face) {
+    ForEachFace(cell, [&](std::vector<int> face) {
       std::sort(face.begin(), face.end());
       ++polygons[face];
     });
-    for (const Tetrahedron& t : decompose(cell, rank))
+    for (const Tetrahedron& t : Decompose(cell, rank))
     {
       for (int omitted = 0; omitted < 4; ++omitted)
       {
@@ -202,7 +202,7 @@ void expectMatchingFaces(const Mesh& mesh, const std::vector<int>& rank)
   EXPECT_EQ(boundary, expectedBoundary);
 }
 
-std::vector<int> randomRanks(Random& random, int n)
+std::vector<int> RandomRanks(Random& random, int n)
 {
   std::vector<int> rank(static_cast<std::size_t>(n));
   std::iota(rank.begin(), rank.end(), 0);
@@ -211,7 +211,7 @@ std::vector<int> randomRanks(Random& random, int n)
 }
 
 /** n^3 hexahedra; some whole columns are cut into wedges, some single cells into six pyramids or made polyhedra. */
-Mesh mixedLattice(Random& random, int n, bool mixed)
+Mesh MixedLattice(Random& random, int n, bool mixed)
 {
   Mesh mesh;
   mesh.NumberOfPoints = (n + 1) * (n + 1) * (n + 1);
@@ -234,7 +234,7 @@ Mesh mixedLattice(Random& random, int n, bool mixed)
         else if (mixed && random.Integer(0, 1) == 0)
         {
           const int center = mesh.NumberOfPoints++;
-          forEachFace(list(hexahedronFaceList), [&](const std::vector<int>& f) {
+          ForEachFace(List(hexahedronFaceList), [&](const std::vector<int>& f) {
             mesh.Add(pyramidFaceList,
               { v[std::size_t(f[0])], v[std::size_t(f[1])], v[std::size_t(f[2])],
                 v[std::size_t(f[3])], center });
@@ -256,7 +256,7 @@ Mesh mixedLattice(Random& random, int n, bool mixed)
 
 /** Layers of a prism over a polygon with a ring around it: hexahedra, every second one cut into wedges. */
 template <std::size_t N>
-Mesh prismStack(const int (&prismFaces)[N], int sides, int layers)
+Mesh PrismStack(const int (&prismFaces)[N], int sides, int layers)
 {
   Mesh mesh;
   mesh.NumberOfPoints = 2 * sides * (layers + 1);
@@ -300,12 +300,12 @@ TEST_P(DecomposedCell, EveryOrderFillsTheCell)
   const bool all = n <= 6; // 720 orders; random ones of more vertices
   for (int i = 0; i < 2000; ++i)
   {
-    ASSERT_NEAR(totalVolume(this->Subject.Points, decompose(this->Subject.Faces, rank)),
+    ASSERT_NEAR(TotalVolume(this->Subject.Points, Decompose(this->Subject.Faces, rank)),
       this->Subject.Volume, 1e-12)
       << this->Subject.Name;
     if (!all)
     {
-      rank = randomRanks(random, n);
+      rank = RandomRanks(random, n);
     }
     else if (!std::next_permutation(rank.begin(), rank.end()))
     {
@@ -321,7 +321,7 @@ TEST_P(DecomposedCell, NothingOverlaps)
   for (int i = 0; i < 2000; ++i)
   {
     const std::vector<Tetrahedron> tetrahedra =
-      decompose(this->Subject.Faces, randomRanks(random, int(p.size())));
+      Decompose(this->Subject.Faces, RandomRanks(random, int(p.size())));
     Point x = { { 0, 0, 0 } }; // random convex combination of the vertices
     double sum = 0;
     for (const Point& v : p)
@@ -332,7 +332,7 @@ TEST_P(DecomposedCell, NothingOverlaps)
     }
     x = { { x[0] / sum, x[1] / sum, x[2] / sum } };
     const auto holding = std::count_if(tetrahedra.begin(), tetrahedra.end(),
-      [&](const Tetrahedron& t) { return contains(p, t, x); });
+      [&](const Tetrahedron& t) { return Contains(p, t, x); });
     ASSERT_EQ(holding, 1) << this->Subject.Name;
   }
 }
@@ -343,20 +343,20 @@ TEST(CellDecomposition, NumbersOfTetrahedra)
 {
   Random random(33);
   const std::size_t expected[] = { 1, 6, 6, 6, 3, 2, 9, 12, 4 };
-  const std::vector<Cell> cells = makeCells();
+  const std::vector<Cell> cells = MakeCells();
   for (std::size_t c = 0; c < cells.size(); ++c)
   {
     for (int i = 0; i < 200; ++i)
     {
-      const std::vector<int> rank = randomRanks(random, int(cells[c].Points.size()));
-      ASSERT_EQ(decompose(cells[c].Faces, rank).size(), expected[c]) << cells[c].Name;
+      const std::vector<int> rank = RandomRanks(random, int(cells[c].Points.size()));
+      ASSERT_EQ(Decompose(cells[c].Faces, rank).size(), expected[c]) << cells[c].Name;
     }
   }
 }
 
 TEST(CellDecomposition, EmptyFaceList)
 {
-  EXPECT_TRUE(decompose({}, {}).empty());
+  EXPECT_TRUE(Decompose({}, {}).empty());
 }
 
 TEST(CellDecomposition, VerticesMayBeAnyNumbers)
@@ -365,7 +365,7 @@ TEST(CellDecomposition, VerticesMayBeAnyNumbers)
   const long long faces[] = { 4, 900, 7, 33, 12, 3, 900, 7, 5, 3, 7, 33, 5, 3, 33, 12, 5, 3, 12,
     900, 5 };
   std::vector<std::array<long long, 4>> tetrahedra;
-  decomposeCell(FaceList<long long>{ faces, faces + sizeof(faces) / sizeof(faces[0]) },
+  DecomposeCell(FaceList<long long>{ faces, faces + sizeof(faces) / sizeof(faces[0]) },
     std::less<long long>(), [&](const std::array<long long, 4>& t) { tetrahedra.push_back(t); });
   ASSERT_EQ(tetrahedra.size(), 2u);
   EXPECT_EQ(tetrahedra[0][0], 5); // the apex is the least vertex
@@ -378,8 +378,8 @@ TEST(CellDecomposition, HexahedraAgreeAboutTheirFaces)
   Random random(34);
   for (int i = 0; i < 20; ++i)
   {
-    const Mesh mesh = mixedLattice(random, 4, false);
-    expectMatchingFaces(mesh, randomRanks(random, mesh.NumberOfPoints));
+    const Mesh mesh = MixedLattice(random, 4, false);
+    ExpectMatchingFaces(mesh, RandomRanks(random, mesh.NumberOfPoints));
   }
 }
 
@@ -388,8 +388,8 @@ TEST(CellDecomposition, MixedCellsAgreeAboutTheirFaces)
   Random random(35);
   for (int i = 0; i < 20; ++i)
   {
-    const Mesh mesh = mixedLattice(random, 4, true);
-    expectMatchingFaces(mesh, randomRanks(random, mesh.NumberOfPoints));
+    const Mesh mesh = MixedLattice(random, 4, true);
+    ExpectMatchingFaces(mesh, RandomRanks(random, mesh.NumberOfPoints));
   }
 }
 
@@ -398,9 +398,9 @@ TEST(CellDecomposition, PrismsAgreeAboutTheirFaces)
   Random random(36);
   for (int i = 0; i < 20; ++i)
   {
-    const Mesh five = prismStack(pentagonalPrismFaceList, 5, 3);
-    expectMatchingFaces(five, randomRanks(random, five.NumberOfPoints));
-    const Mesh six = prismStack(hexagonalPrismFaceList, 6, 3);
-    expectMatchingFaces(six, randomRanks(random, six.NumberOfPoints));
+    const Mesh five = PrismStack(pentagonalPrismFaceList, 5, 3);
+    ExpectMatchingFaces(five, RandomRanks(random, five.NumberOfPoints));
+    const Mesh six = PrismStack(hexagonalPrismFaceList, 6, 3);
+    ExpectMatchingFaces(six, RandomRanks(random, six.NumberOfPoints));
   }
 }

@@ -26,7 +26,7 @@ using Layered = std::pair<Piece<int>, int>;
 
 const std::vector<double> values = { 1, 2, 3 };
 
-double signedVolume(const Point& a, const Point& b, const Point& c, const Point& d)
+double SignedVolume(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const double u[3] = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
   const double v[3] = { c[0] - a[0], c[1] - a[1], c[2] - a[2] };
@@ -37,7 +37,7 @@ double signedVolume(const Point& a, const Point& b, const Point& c, const Point&
 }
 
 // As VTK documents them, seen from outside counter-clockwise.
-std::vector<Face> facesOf(const Piece<int>& piece)
+std::vector<Face> FacesOf(const Piece<int>& piece)
 {
   std::vector<Face> faces;
   switch (piece.Shape)
@@ -105,7 +105,7 @@ struct Mesh
     std::array<int, 4> codes;
     std::transform(v.begin(), v.end(), codes.begin(),
       [this](int a) { return this->Levels.Code(this->Scalars[a]); });
-    const bool mirrored = signedVolume(this->Points[v[0]], this->Points[v[1]], this->Points[v[2]],
+    const bool mirrored = SignedVolume(this->Points[v[0]], this->Points[v[1]], this->Points[v[2]],
                             this->Points[v[3]]) < 0;
     const auto cut = [&](int i, int j, int level) { return this->makeCut(v[i], v[j], level); };
     TetrahedronSplitter<int, decltype(cut)> splitter(v, codes, mirrored, cut);
@@ -117,11 +117,11 @@ struct Mesh
   {
     const Point& origin = this->Points[piece.Corners[0]];
     double sum = 0;
-    for (const Face& f : facesOf(piece))
+    for (const Face& f : FacesOf(piece))
     {
       for (std::size_t k = 1; k + 1 < f.size(); ++k)
       {
-        sum += signedVolume(origin, this->Points[f[0]], this->Points[f[k]], this->Points[f[k + 1]]);
+        sum += SignedVolume(origin, this->Points[f[0]], this->Points[f[k]], this->Points[f[k + 1]]);
       }
     }
     return sum;
@@ -129,7 +129,7 @@ struct Mesh
 };
 
 // Two tetrahedra on the two sides of the triangle 0 1 2.
-Mesh makePair(Random& random, const std::vector<double>& scalars)
+Mesh MakePair(Random& random, const std::vector<double>& scalars)
 {
   Mesh mesh;
   mesh.Points.resize(100);
@@ -148,12 +148,12 @@ Mesh makePair(Random& random, const std::vector<double>& scalars)
   return mesh;
 }
 
-void checkFaces(const Mesh& mesh)
+void CheckFaces(const Mesh& mesh)
 {
   std::map<std::set<int>, int> count;
   for (const Layered& piece : mesh.Pieces)
   {
-    for (const Face& face : facesOf(piece.first))
+    for (const Face& face : FacesOf(piece.first))
     {
       std::set<int> key(face.begin(), face.end());
       ASSERT_EQ(key.size(), face.size()) << "a face with a corner twice";
@@ -167,7 +167,7 @@ void checkFaces(const Mesh& mesh)
     double farthest = 0;
     for (int corner : key)
     {
-      farthest = std::max(farthest, std::abs(signedVolume(p[0], p[1], p[2], p[corner])));
+      farthest = std::max(farthest, std::abs(SignedVolume(p[0], p[1], p[2], p[corner])));
     }
     if (farthest < 1e-12)
     {
@@ -176,7 +176,7 @@ void checkFaces(const Mesh& mesh)
   }
 }
 
-void checkPieces(const Mesh& mesh, double expected)
+void CheckPieces(const Mesh& mesh, double expected)
 {
   double sum = 0;
   for (const auto& [piece, layer] : mesh.Pieces)
@@ -184,7 +184,7 @@ void checkPieces(const Mesh& mesh, double expected)
     const double size = mesh.volume(piece);
     ASSERT_GT(size, 0) << "inverted or flat";
     sum += size;
-    for (int i = 0; i < numberOfCorners(piece.Shape); ++i)
+    for (int i = 0; i < NumberOfCorners(piece.Shape); ++i)
     {
       const double s = mesh.Scalars[piece.Corners[i]];
       ASSERT_TRUE(layer == 0 || s >= values[layer - 1]);
@@ -194,12 +194,12 @@ void checkPieces(const Mesh& mesh, double expected)
   ASSERT_NEAR(sum, expected, 1e-14);
 }
 
-void checkSurfaces(const Mesh& mesh)
+void CheckSurfaces(const Mesh& mesh)
 {
   std::map<std::set<int>, std::set<int>> layersOfFace;
   for (const auto& [piece, layer] : mesh.Pieces)
   {
-    for (const Face& face : facesOf(piece))
+    for (const Face& face : FacesOf(piece))
     {
       layersOfFace[std::set<int>(face.begin(), face.end())].insert(layer);
     }
@@ -207,7 +207,7 @@ void checkSurfaces(const Mesh& mesh)
   for (const auto& [polygon, level] : mesh.Surfaces)
   {
     const std::set<int> key(
-      polygon.Corners.begin(), polygon.Corners.begin() + numberOfCorners(polygon.Shape));
+      polygon.Corners.begin(), polygon.Corners.begin() + NumberOfCorners(polygon.Shape));
     ASSERT_EQ(layersOfFace[key], std::set<int>({ level, level + 1 }))
       << "a polygon that parts no layers";
   }
@@ -227,13 +227,13 @@ TEST(TetrahedronSlabs, EveryArrangementOfTwoTetrahedra)
       scalars.push_back(s == std::floor(s) ? s : s + random.Uniform(-0.3, 0.3));
     }
     SCOPED_TRACE("arrangement " + std::to_string(number));
-    Mesh mesh = makePair(random, scalars);
+    Mesh mesh = MakePair(random, scalars);
     mesh.split({ { 0, 1, 2, 3 } });
     mesh.split({ { 2, 1, 0, 4 } });
     const Point* p = mesh.Points.data();
-    checkPieces(mesh, signedVolume(p[0], p[1], p[2], p[3]) - signedVolume(p[0], p[1], p[2], p[4]));
-    checkFaces(mesh);
-    checkSurfaces(mesh);
+    CheckPieces(mesh, SignedVolume(p[0], p[1], p[2], p[3]) - SignedVolume(p[0], p[1], p[2], p[4]));
+    CheckFaces(mesh);
+    CheckSurfaces(mesh);
     if (HasFatalFailure())
     {
       return;
@@ -246,7 +246,7 @@ TEST(TetrahedronSlabs, FewPieces)
   Random random(8);
   const auto count = [&](std::vector<double> scalars) {
     scalars.push_back(0);
-    Mesh mesh = makePair(random, scalars);
+    Mesh mesh = MakePair(random, scalars);
     mesh.split({ { 0, 1, 2, 3 } });
     return mesh.Pieces.size();
   };
@@ -273,11 +273,11 @@ TEST(ContourLevels, CodesAndLayers)
   }
   EXPECT_EQ(levels.Code(std::nan("")), ContourLevels::MissingCode);
   EXPECT_EQ(levels.Code(-INFINITY), ContourLevels::MissingCode);
-  EXPECT_TRUE(isCrossed(0, 2));
-  EXPECT_FALSE(isCrossed(1, 2));
-  EXPECT_FALSE(isCrossed(0, 1));
-  EXPECT_FALSE(isCrossed(1, 1));
-  EXPECT_TRUE(isCrossed(1, 4));
+  EXPECT_TRUE(IsCrossed(0, 2));
+  EXPECT_FALSE(IsCrossed(1, 2));
+  EXPECT_FALSE(IsCrossed(0, 1));
+  EXPECT_FALSE(IsCrossed(1, 1));
+  EXPECT_TRUE(IsCrossed(1, 4));
   EXPECT_EQ(levels.Nearest(-7), 0);
   EXPECT_EQ(levels.Nearest(1.6), 1);
   EXPECT_EQ(levels.Nearest(99), 2);

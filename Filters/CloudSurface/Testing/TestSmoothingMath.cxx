@@ -224,7 +224,7 @@ TEST(DualCells, OctantsOfATwistedHexahedron)
       const Vector3 a = at(u + e, v, w) - at(u - e, v, w);
       const Vector3 b = at(u, v + e, w) - at(u, v - e, w);
       const Vector3 d = at(u, v, w + e) - at(u, v, w - e);
-      volume += dot(a, cross(b, d)) / (8 * e * e * e) * h * h * h;
+      volume += Dot(a, Cross(b, d)) / (8 * e * e * e) * h * h * h;
     }
     EXPECT_NEAR(octants.Volume(c), volume, 1e-5);
   }

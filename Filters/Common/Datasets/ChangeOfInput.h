@@ -12,18 +12,18 @@
 namespace nephoscope
 {
 // The newest change of `filter` and of all filters before it. Another time step of the same series does not change it.
-inline vtkMTimeType changeOfPipeline(vtkAlgorithm* filter)
+inline vtkMTimeType ChangeOfPipeline(vtkAlgorithm* filter)
 {
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());
   return pipeline ? pipeline->GetPipelineMTime() : filter->GetMTime();
 }
 
 // The same, of the filters before `filter`; 0 without an input.
-inline vtkMTimeType changeOfInput(vtkAlgorithm* filter)
+inline vtkMTimeType ChangeOfInput(vtkAlgorithm* filter)
 {
   vtkAlgorithm* producer =
     filter->GetNumberOfInputConnections(0) > 0 ? filter->GetInputAlgorithm(0, 0) : nullptr;
-  return producer ? changeOfPipeline(producer) : 0;
+  return producer ? ChangeOfPipeline(producer) : 0;
 }
 }
 

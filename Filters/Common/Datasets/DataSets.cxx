@@ -71,7 +71,7 @@ vtkBoundingBox FiniteBounds(vtkDataSet* set)
   {
     Vector3 x;
     set->GetPoint(point, x.data());
-    if (isFinite(x))
+    if (IsFinite(x))
     {
       box.AddPoint(x.data());
     }

@@ -21,7 +21,7 @@ namespace nephoscope
 namespace
 {
 // What the first filter that is no part of ParaView's own pipeline has made.
-vtkCompositeDataSet* blocksOf(vtkAlgorithm* filter)
+vtkCompositeDataSet* BlocksOf(vtkAlgorithm* filter)
 {
   vtkAlgorithmOutput* from = filter->GetInputConnection(0, 0);
   while (from && from->GetProducer()->IsA("vtkPVPostFilter") &&
@@ -34,7 +34,7 @@ vtkCompositeDataSet* blocksOf(vtkAlgorithm* filter)
     : nullptr;
 }
 
-bool shareArrays(vtkFieldData* one, vtkFieldData* other)
+bool ShareArrays(vtkFieldData* one, vtkFieldData* other)
 {
   bool same = one->GetNumberOfArrays() == other->GetNumberOfArrays();
   for (int a = 0; same && a < one->GetNumberOfArrays(); ++a)
@@ -45,19 +45,19 @@ bool shareArrays(vtkFieldData* one, vtkFieldData* other)
 }
 
 // ParaView's own filters copy blocks, but not what they hold.
-bool areSame(vtkDataSet* one, vtkDataSet* other)
+bool AreSame(vtkDataSet* one, vtkDataSet* other)
 {
   double bounds[2][6];
   one->GetBounds(bounds[0]);
   other->GetBounds(bounds[1]);
   return one->GetNumberOfPoints() == other->GetNumberOfPoints() &&
     std::equal(bounds[0], bounds[0] + 6, bounds[1]) &&
-    shareArrays(one->GetPointData(), other->GetPointData()) &&
-    shareArrays(one->GetCellData(), other->GetCellData());
+    ShareArrays(one->GetPointData(), other->GetPointData()) &&
+    ShareArrays(one->GetCellData(), other->GetCellData());
 }
 }
 
-std::string nameOfBlock(vtkCompositeDataIterator* leaf)
+std::string NameOfBlock(vtkCompositeDataIterator* leaf)
 {
   const unsigned int index = leaf->GetCurrentFlatIndex();
   const char* name = leaf->HasCurrentMetaData()
@@ -79,9 +79,9 @@ std::string nameOfBlock(vtkCompositeDataIterator* leaf)
   return name ? "'" + std::string(name) + "'" : std::to_string(index);
 }
 
-std::string inBlock(vtkAlgorithm* filter, vtkDataSet* block)
+std::string InBlock(vtkAlgorithm* filter, vtkDataSet* block)
 {
-  vtkCompositeDataSet* blocks = blocksOf(filter);
+  vtkCompositeDataSet* blocks = BlocksOf(filter);
   if (!blocks)
   {
     return "";
@@ -90,9 +90,9 @@ std::string inBlock(vtkAlgorithm* filter, vtkDataSet* block)
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
     auto* set = vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject());
-    if (set && areSame(set, block))
+    if (set && AreSame(set, block))
     {
-      return "Block " + nameOfBlock(leaf) + ": ";
+      return "Block " + NameOfBlock(leaf) + ": ";
     }
   }
   return "";

@@ -10,28 +10,28 @@ namespace nephoscope
 {
 namespace
 {
-double fieldValue(vtkDataSet* data, const char* name, double otherwise)
+double FieldValue(vtkDataSet* data, const char* name, double otherwise)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
   return array && array->GetNumberOfTuples() > 0 ? array->GetComponent(0, 0) : otherwise;
 }
 }
 
-Planet planetOf(vtkDataSet* data, const Vector3& up)
+Planet FindPlanet(vtkDataSet* data, const Vector3& up)
 {
-  const bool isGlobe = fieldValue(data, "GlobeGridProjection", 1) == 0;
-  return { isGlobe ? fieldValue(data, "PlanetRadius", 0) : 0.0, up };
+  const bool isGlobe = FieldValue(data, "GlobeGridProjection", 1) == 0;
+  return { isGlobe ? FieldValue(data, "PlanetRadius", 0) : 0.0, up };
 }
 
-double radiusOfMap(vtkDataSet* data)
+double RadiusOfMap(vtkDataSet* data)
 {
-  return fieldValue(data, "GlobeGridProjection", 0) == 1 ? fieldValue(data, "PlanetRadius", 0)
+  return FieldValue(data, "GlobeGridProjection", 0) == 1 ? FieldValue(data, "PlanetRadius", 0)
                                                          : 0.0;
 }
 
 Vector3 Planet::UpAt(const Vector3& place) const
 {
-  const double length = norm(place);
+  const double length = Norm(place);
   return this->Radius > 0 && length > 0
     ? Vector3{ { place[0] / length, place[1] / length, place[2] / length } }
     : this->Up;

@@ -28,11 +28,11 @@ struct VTKNEPHOSCOPEFILTERSCOMMON_EXPORT Planet
 };
 
 // That of vtkGlobeGrid, or flat ground.
-VTKNEPHOSCOPEFILTERSCOMMON_EXPORT Planet planetOf(
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT Planet FindPlanet(
   vtkDataSet* data, const Vector3& up = { { 0, 0, 1 } });
 
 // The planet's radius, if the data are on a map of vtkGlobeGrid, x and y of which are the radius times longitude and latitude; 0 elsewhere.
-VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double radiusOfMap(vtkDataSet* data);
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double RadiusOfMap(vtkDataSet* data);
 }
 
 #endif

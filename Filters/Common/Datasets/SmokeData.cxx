@@ -20,7 +20,7 @@ namespace
 constexpr const char* initialDensityName = "InitialDensity";
 }
 
-vtkDataArray* smokeDensity(vtkDataSet* cells)
+vtkDataArray* SmokeDensity(vtkDataSet* cells)
 {
   vtkCellData* arrays = cells ? cells->GetCellData() : nullptr;
   vtkDataArray* density = arrays ? arrays->GetArray("Density") : nullptr;
@@ -29,9 +29,9 @@ vtkDataArray* smokeDensity(vtkDataSet* cells)
   return smoke ? density : nullptr;
 }
 
-vtkDataArray* visibleSmoke(vtkDataSet* cells)
+vtkDataArray* VisibleSmoke(vtkDataSet* cells)
 {
-  vtkDataArray* density = smokeDensity(cells);
+  vtkDataArray* density = SmokeDensity(cells);
   vtkDataArray* puffs = density ? cells->GetCellData()->GetArray("SmokeDensity") : nullptr;
   if (density && !puffs)
   {
@@ -44,7 +44,7 @@ vtkDataArray* visibleSmoke(vtkDataSet* cells)
   return puffs ? puffs : density;
 }
 
-void putInitialDensity(vtkDataSet* cells, double density)
+void PutInitialDensity(vtkDataSet* cells, double density)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(initialDensityName);
@@ -52,14 +52,14 @@ void putInitialDensity(vtkDataSet* cells, double density)
   cells->GetFieldData()->AddArray(array);
 }
 
-double initialSmokeDensity(vtkDataSet* cells)
+double InitialSmokeDensity(vtkDataSet* cells)
 {
   vtkDataArray* array = cells ? cells->GetFieldData()->GetArray(initialDensityName) : nullptr;
   const double density = array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0) : 0.0;
   return density > 0.0 && std::isfinite(density) ? density : 0.0;
 }
 
-double leastSmokeAge(vtkDataSet* cells)
+double LeastSmokeAge(vtkDataSet* cells)
 {
   vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
   double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
@@ -70,7 +70,7 @@ double leastSmokeAge(vtkDataSet* cells)
   return range[0];
 }
 
-vtkBoundingBox boundsOfYoungSmoke(vtkDataSet* cells, double age)
+vtkBoundingBox BoundsOfYoungSmoke(vtkDataSet* cells, double age)
 {
   vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
   vtkBoundingBox box;
@@ -86,7 +86,7 @@ vtkBoundingBox boundsOfYoungSmoke(vtkDataSet* cells, double age)
   return box;
 }
 
-double diameterOfSmoke(const vtkBoundingBox& bounds)
+double DiameterOfSmoke(const vtkBoundingBox& bounds)
 {
   return bounds.IsValid() ? bounds.GetDiagonalLength() / std::sqrt(2.0) : 0.0;
 }

@@ -59,11 +59,11 @@ double UprightOrder::Climb(int axis, const PlaceOf& placeOf, const UpAt& upAt) c
   for (std::size_t p = 0; p + stride < points; p += every)
   {
     const Vector3 here = placeOf(p), step = placeOf(p + stride) - here;
-    const double length = norm(step);
+    const double length = Norm(step);
     const bool isLast = static_cast<int>(p / stride % this->Stored[axis]) == this->Stored[axis] - 1;
     if (!isLast && length > 0 && std::isfinite(length))
     {
-      sum += dot(step, upAt(here)) / length;
+      sum += Dot(step, upAt(here)) / length;
       ++count;
     }
   }
@@ -80,7 +80,7 @@ bool UprightOrder::IsClosed(int axis, const PlaceOf& placeOf) const
   }
   const auto placeAt = [&](int index) { return placeOf(first + index * this->Stride(axis)); };
   const int last = this->Stored[axis] - 1;
-  return last > 1 && distance(placeAt(0), placeAt(last)) <= 1e-3 * distance(placeAt(0), placeAt(1));
+  return last > 1 && Distance(placeAt(0), placeAt(last)) <= 1e-3 * Distance(placeAt(0), placeAt(1));
 }
 
 void UprightOrder::Number()

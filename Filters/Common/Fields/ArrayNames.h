@@ -14,7 +14,7 @@ namespace nephoscope
 {
 
 /** Whether a filter or a representation added it for its own use. */
-inline bool isInternalArray(const char* name)
+inline bool IsInternalArray(const char* name)
 {
   const std::string text = name ? name : "";
   return text.rfind("Nephoscope", 0) == 0 || text.rfind("vtkOriginal", 0) == 0 ||
@@ -22,14 +22,14 @@ inline bool isInternalArray(const char* name)
 }
 
 /** With commas between them; "none" without arrays. `components`: only those with so many; 0: all. */
-inline std::string arrayNames(vtkFieldData* data, int components = 0)
+inline std::string NamesOfArrays(vtkFieldData* data, int components = 0)
 {
   std::string names;
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     const char* name = data->GetArrayName(a);
     const int own = data->GetAbstractArray(a)->GetNumberOfComponents();
-    if (!isInternalArray(name) && (components == 0 || components == own))
+    if (!IsInternalArray(name) && (components == 0 || components == own))
     {
       names += (names.empty() ? "" : ", ") + std::string(name ? name : "(unnamed)");
     }
@@ -38,25 +38,25 @@ inline std::string arrayNames(vtkFieldData* data, int components = 0)
 }
 
 /** For messages: in quotation marks, or "without a name". */
-inline std::string quotedName(vtkAbstractArray* array)
+inline std::string QuotedName(vtkAbstractArray* array)
 {
   return array->GetName() ? "'" + std::string(array->GetName()) + "'"
                           : std::string("without a name");
 }
 
 /** These with commas between them; "none" without arrays. */
-inline std::string quotedNames(vtkFieldData* data)
+inline std::string QuotedNames(vtkFieldData* data)
 {
   std::string names;
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
-    names += (a > 0 ? ", " : "") + quotedName(data->GetAbstractArray(a));
+    names += (a > 0 ? ", " : "") + QuotedName(data->GetAbstractArray(a));
   }
   return names.empty() ? "none" : names;
 }
 
 /** The same, without unnamed arrays. */
-inline std::string quotedArrayNames(vtkFieldData* data)
+inline std::string QuotedArrayNames(vtkFieldData* data)
 {
   std::string names;
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)

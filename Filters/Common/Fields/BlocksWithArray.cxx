@@ -50,7 +50,7 @@ void BlocksWithArray::Count()
     ++this->Blocks;
     isHere = isHere || (block && this->Has(block));
   });
-  this->IsInAny = isTrueOfAnyPiece(this->Filter, isHere);
+  this->IsInAny = IsTrueOfAnyPiece(this->Filter, isHere);
 }
 
 void BlocksWithArray::End()

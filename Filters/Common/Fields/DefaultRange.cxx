@@ -12,7 +12,7 @@
 
 namespace nephoscope
 {
-vtkMultiProcessController* ranksOfPieces(vtkAlgorithm* filter)
+vtkMultiProcessController* RanksOfPieces(vtkAlgorithm* filter)
 {
   using SDDP = vtkStreamingDemandDrivenPipeline;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -27,7 +27,7 @@ std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter)
 {
   const std::array<double, 2> mine = RangeOfDefaultArrays(filter->GetInputDataObject(0, 0));
   std::array<double, 2> all = mine;
-  if (vtkMultiProcessController* controller = ranksOfPieces(filter))
+  if (vtkMultiProcessController* controller = RanksOfPieces(filter))
   {
     controller->AllReduce(&mine[0], &all[0], 1, vtkCommunicator::MIN_OP);
     controller->AllReduce(&mine[1], &all[1], 1, vtkCommunicator::MAX_OP);
@@ -35,11 +35,11 @@ std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter)
   return all;
 }
 
-bool isTrueOfAnyPiece(vtkAlgorithm* filter, bool mine)
+bool IsTrueOfAnyPiece(vtkAlgorithm* filter, bool mine)
 {
   const int here = mine ? 1 : 0;
   int any = here;
-  if (vtkMultiProcessController* controller = ranksOfPieces(filter))
+  if (vtkMultiProcessController* controller = RanksOfPieces(filter))
   {
     controller->AllReduce(&here, &any, 1, vtkCommunicator::MAX_OP);
   }

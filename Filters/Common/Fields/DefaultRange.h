@@ -17,10 +17,10 @@ namespace nephoscope
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT std::array<double, 2> RangeOfAllPieces(vtkAlgorithm* filter);
 
 // The ranks that compute one piece each for a filter that is about to execute. Null if this process computes alone and must not wait for others.
-VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkMultiProcessController* ranksOfPieces(vtkAlgorithm* filter);
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkMultiProcessController* RanksOfPieces(vtkAlgorithm* filter);
 
 // Whether it is true of any of the ranks that compute pieces, all of which call it.
-VTKNEPHOSCOPEFILTERSCOMMON_EXPORT bool isTrueOfAnyPiece(vtkAlgorithm* filter, bool mine);
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT bool IsTrueOfAnyPiece(vtkAlgorithm* filter, bool mine);
 }
 
 #endif

@@ -27,7 +27,7 @@ inline bool IsOneOf(const std::string& name, std::initializer_list<const char*> 
 
 inline FieldKind KindOfField(const std::string& fieldName)
 {
-  const std::string name = lowerCase(fieldName);
+  const std::string name = LowerCase(fieldName);
   const auto has = [&](const char* part) { return name.find(part) != std::string::npos; };
   const auto ends = [&](const std::string& end) {
     return name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0;

@@ -43,7 +43,7 @@ inline std::string PlainUnits(std::string text)
   text.erase(std::remove_if(text.begin(), text.end(),
                [](unsigned char c) { return std::isspace(c) || c == '*' || c == '^' || c == '.'; }),
     text.end());
-  return lowerCase(text);
+  return LowerCase(text);
 }
 
 // `text` from PlainUnits. Automatic if the file gives no known unit.

@@ -10,7 +10,7 @@
 namespace nephoscope
 {
 // In lower case, as far as it is ASCII.
-inline std::string lowerCase(std::string text)
+inline std::string LowerCase(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

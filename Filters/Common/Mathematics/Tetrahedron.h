@@ -13,16 +13,16 @@ namespace nephoscope
 constexpr int tetrahedronFaces[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
 
 /** The side of the plane of triangle (a, b, c) on which the homogeneous point e lies, as the sign of a number; 0 on the plane. */
-inline double planeSide(const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e)
+inline double PlaneSide(const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e)
 {
-  const Vector3 normal = cross(difference(b, a), difference(c, a));
-  return dot(normal, { e[0] - e[3] * a[0], e[1] - e[3] * a[1], e[2] - e[3] * a[2] });
+  const Vector3 normal = Cross(Difference(b, a), Difference(c, a));
+  return Dot(normal, { e[0] - e[3] * a[0], e[1] - e[3] * a[1], e[2] - e[3] * a[2] });
 }
 
 /** Positive if b, c, d are counter-clockwise seen from the far side of a, as VTK numbers a tetrahedron. */
-inline double signedVolume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
+inline double SignedVolume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
-  return tripleProduct(b - a, c - a, d - a) / 6.0;
+  return TripleProduct(b - a, c - a, d - a) / 6.0;
 }
 
 } // namespace nephoscope

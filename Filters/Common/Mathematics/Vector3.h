@@ -26,38 +26,38 @@ inline Vector3 operator*(double s, const Vector3& a)
 {
   return { s * a[0], s * a[1], s * a[2] };
 }
-inline Vector3 difference(const Vector3& a, const Vector3& b)
+inline Vector3 Difference(const Vector3& a, const Vector3& b)
 {
   return a - b;
 }
-inline double dot(const Vector3& a, const Vector3& b)
+inline double Dot(const Vector3& a, const Vector3& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-inline Vector3 cross(const Vector3& a, const Vector3& b)
+inline Vector3 Cross(const Vector3& a, const Vector3& b)
 {
   return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 /** The determinant of the columns a, b, c. */
-inline double tripleProduct(const Vector3& a, const Vector3& b, const Vector3& c)
+inline double TripleProduct(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  return dot(cross(a, b), c);
+  return Dot(Cross(a, b), c);
 }
-inline double norm(const Vector3& a)
+inline double Norm(const Vector3& a)
 {
-  return std::sqrt(dot(a, a));
+  return std::sqrt(Dot(a, a));
 }
-inline double distance(const Vector3& a, const Vector3& b)
+inline double Distance(const Vector3& a, const Vector3& b)
 {
-  return norm(a - b);
+  return Norm(a - b);
 }
 /** A vector of unit length; zero stays zero. */
-inline Vector3 normalized(const Vector3& a)
+inline Vector3 Normalized(const Vector3& a)
 {
-  const double length = norm(a);
+  const double length = Norm(a);
   return length > 0.0 ? (1.0 / length) * a : Vector3{};
 }
-inline bool isFinite(const Vector3& a)
+inline bool IsFinite(const Vector3& a)
 {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
 }

@@ -23,7 +23,7 @@ constexpr const char* whyEmpty =
 
 // Whether a filter runs for one block after the other: the block stands in the place of the producer's output then. ParaView
 // inserts its own filter, which must not be updated meanwhile.
-inline bool isOfBlocks(vtkAlgorithm* producer, int port)
+inline bool IsOfBlocks(vtkAlgorithm* producer, int port)
 {
   const bool hasInput =
     producer->GetNumberOfInputPorts() > 0 && producer->GetNumberOfInputConnections(0) > 0;
@@ -32,7 +32,7 @@ inline bool isOfBlocks(vtkAlgorithm* producer, int port)
 }
 
 // The filter that made the input of a port; ParaView puts its own in between.
-inline vtkAlgorithm* producerOfInput(vtkAlgorithm* filter, int port = 0)
+inline vtkAlgorithm* ProducerOfInput(vtkAlgorithm* filter, int port = 0)
 {
   vtkAlgorithm* producer = filter->GetInputAlgorithm(port, 0);
   while (
@@ -45,7 +45,7 @@ inline vtkAlgorithm* producerOfInput(vtkAlgorithm* filter, int port = 0)
 
 // Whether who made the data has told why they are empty: by an error code or, where a filter in Python can set none, by a field array.
 constexpr const char* failedName = "NephoscopeFailed";
-inline bool hasFailed(vtkAlgorithm* producer, vtkDataObject* data)
+inline bool HasFailed(vtkAlgorithm* producer, vtkDataObject* data)
 {
   return (producer && producer->GetErrorCode() != vtkErrorCode::NoError) ||
     (data && data->GetFieldData() && data->GetFieldData()->HasArray(failedName));
@@ -53,7 +53,7 @@ inline bool hasFailed(vtkAlgorithm* producer, vtkDataObject* data)
 
 // For RequestData: true where there is nothing in the input. A warning says so, once while nothing changes; `told` is kept by the filter, at first 0.
 // Blocks, and pieces of several, may be empty. Where the filter before has failed, it has told why; this one fails with it.
-inline bool isEmptyInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformationVector** inputs,
+inline bool IsEmptyInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0], 0);
@@ -67,14 +67,14 @@ inline bool isEmptyInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformatio
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   const bool isPiece = outInfo->Has(SDDP::UPDATE_NUMBER_OF_PIECES()) &&
     outInfo->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) > 1;
-  vtkAlgorithm* producer = producerOfInput(filter);
-  if (hasFailed(producer, input))
+  vtkAlgorithm* producer = ProducerOfInput(filter);
+  if (HasFailed(producer, input))
   {
     FailureCode::Set(filter, true);
     return true;
   }
   vtkAlgorithmOutput* connection = filter->GetInputConnection(0, 0);
-  if (!isPiece && connection && !isOfBlocks(connection->GetProducer(), connection->GetIndex()))
+  if (!isPiece && connection && !IsOfBlocks(connection->GetProducer(), connection->GetIndex()))
   {
     ReportOnce report(filter, told);
     vtkWarningWithObjectMacro(filter, << whyEmpty);

@@ -25,7 +25,7 @@
 
 namespace nephoscope
 {
-inline std::string kindOf(vtkDataObject* data)
+inline std::string KindOf(vtkDataObject* data)
 {
   static const std::map<std::string, std::string> kinds = { { "vtkImageData", "an image" },
     { "vtkUniformGrid", "an image" }, { "vtkRectilinearGrid", "a rectilinear grid" },
@@ -37,7 +37,7 @@ inline std::string kindOf(vtkDataObject* data)
 }
 
 // What makes a dataset with cells, or one with rows, of the input; empty where nothing does.
-inline std::string remedyFor(vtkDataObject* data, bool withRows = false)
+inline std::string RemedyFor(vtkDataObject* data, bool withRows = false)
 {
   auto* cells = vtkUnstructuredGrid::SafeDownCast(data);
   if (withRows && cells && cells->GetNumberOfCells() > 0 &&
@@ -52,7 +52,7 @@ inline std::string remedyFor(vtkDataObject* data, bool withRows = false)
 }
 
 // For FillInputPortInformation: the pipeline rejects only composite data, because it iterates over their blocks.
-inline void takeAnyData(vtkInformation* port)
+inline void TakeAnyData(vtkInformation* port)
 {
   port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   for (const char* kind :
@@ -64,7 +64,7 @@ inline void takeAnyData(vtkInformation* port)
 
 // For ProcessRequest: true where the input is of none of these kinds, and the request is done with: the output is empty. `needed`, the sentence with
 // the remedy, is reported once while nothing changes; `told` is kept by the filter, at first 0.
-inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request,
+inline bool HasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs,
   std::initializer_list<const char*> kinds, const char* needed)
 {
@@ -85,7 +85,7 @@ inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
       kinds.begin(), kinds.end(), [kind](const char* other) { return std::string(kind) == other; });
   };
   const std::string remedy = takes("vtkDataSet") || takes("vtkImageData")
-    ? remedyFor(input, takes("vtkImageData"))
+    ? RemedyFor(input, takes("vtkImageData"))
     : std::string();
   vtkInformation* outInfo = outputs->GetInformationObject(0);
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
@@ -123,7 +123,7 @@ inline bool hasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
     if (now != told)
     {
       vtkErrorWithObjectMacro(
-        filter, << "The input is " << kindOf(input) << ". " << needed << remedy);
+        filter, << "The input is " << KindOf(input) << ". " << needed << remedy);
     }
     told = now;
     FailureCode::Set(filter, true);

@@ -14,21 +14,21 @@ namespace nephoscope
 
 /** Calls work(), in which vtkSMPTools has as many threads; 0: one for each core. */
 template <typename Work>
-void withThreads(Work&& work, int threads = 0)
+void WithThreads(Work&& work, int threads = 0)
 {
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, "STDThread", false), work);
 }
 
 /** Calls body(begin, end) for parts of 0 to count, `grain` at a time (0: as vtkSMPTools likes), by threads of our own. */
 template <typename Body>
-void inParallel(vtkIdType count, Body&& body, vtkIdType grain = 0)
+void InParallel(vtkIdType count, Body&& body, vtkIdType grain = 0)
 {
-  withThreads([&]() { vtkSMPTools::For(0, count, grain, body); });
+  WithThreads([&]() { vtkSMPTools::For(0, count, grain, body); });
 }
 
 /** Calls body(0) to body(count - 1), by the threads that vtkSMPTools has. */
 template <typename Body>
-void forAll(std::size_t count, Body body)
+void ForAll(std::size_t count, Body body)
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(count), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)

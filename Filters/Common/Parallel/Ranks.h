@@ -10,17 +10,17 @@
 namespace nephoscope
 {
 // Null where there is one rank alone.
-inline vtkMultiProcessController* otherRanks()
+inline vtkMultiProcessController* OtherRanks()
 {
   auto* ranks = vtkMultiProcessController::GetGlobalController();
   return ranks && ranks->GetNumberOfProcesses() > 1 ? ranks : nullptr;
 }
 
 template <typename Number>
-Number maximumOfRanks(Number mine)
+Number MaximumOverRanks(Number mine)
 {
   Number maximum = mine;
-  if (auto* ranks = otherRanks())
+  if (auto* ranks = OtherRanks())
   {
     ranks->AllReduce(&mine, &maximum, 1, vtkCommunicator::MAX_OP);
   }

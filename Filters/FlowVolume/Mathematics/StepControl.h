@@ -42,7 +42,7 @@ public:
     if (this->Limits.Turn > 0.0)
     {
       // Either may be zero, at rest: then it says nothing.
-      const double cosine = dot(direction, chord), length = norm(chord) * norm(direction);
+      const double cosine = Dot(direction, chord), length = Norm(chord) * Norm(direction);
       this->Add(cosine < this->CosineTooLong * length, cosine < this->CosineCalm * length);
     }
   }
@@ -108,7 +108,7 @@ inline StepVerdict CheckStep(const SmokeFront& front, const std::vector<Vector3>
     const auto& p = front.Positions;
     const Vector3 below = AreaVector(p[a], p[b], p[c]);
     const Vector3 top = AreaVector(above[a], above[b], above[c]);
-    control.AddAreas(dot(below, below), dot(top, top));
+    control.AddAreas(Dot(below, below), Dot(top, top));
     const double volume = PrismVolume(p[a], p[b], p[c], above[a], above[b], above[c]);
     control.AddDensities(triangle.Density, volume > 0.0 ? triangle.Mass * step / volume : 0.0);
   }

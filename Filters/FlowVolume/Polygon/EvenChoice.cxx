@@ -117,7 +117,7 @@ std::vector<NumberedMiddle> SmallestHashes(
 {
   constexpr vtkIdType grain = 8192;
   std::vector<NumberedMiddle> middles;
-  withThreads([&]() {
+  WithThreads([&]() {
     vtkSMPThreadLocal<std::vector<NumberedMiddle>> parts;
     for (vtkDataSet* set : sets)
     {

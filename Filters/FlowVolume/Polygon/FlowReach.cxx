@@ -59,13 +59,13 @@ private:
   std::vector<unsigned char> Inside;
 };
 
-Vector3 moved(const Vector3& from, const Vector3& direction, double step)
+Vector3 Moved(const Vector3& from, const Vector3& direction, double step)
 {
   return { { from[0] + step * direction[0], from[1] + step * direction[1],
     from[2] + step * direction[2] } };
 }
 
-double reachOf(const Trace& trace, double length)
+double ReachOf(const Trace& trace, double length)
 {
   const double extent = trace.Box.IsValid() ? trace.Box.GetDiagonalLength() : 0.0;
   return std::min(trace.Length / length, 1.0) * std::min(extent / (fullExtent * length), 1.0);
@@ -95,7 +95,7 @@ std::vector<double> FlowReaches(
     first.Find(positions);
     for (std::size_t i = 0; i < traces.size(); ++i)
     {
-      positions[i] = moved(positions[i], first.Unit[i], first.Speed[i] > 0.0 ? 0.5 * step : 0.0);
+      positions[i] = Moved(positions[i], first.Unit[i], first.Speed[i] > 0.0 ? 0.5 * step : 0.0);
     }
     middle.Find(positions);
     std::vector<Trace> going;
@@ -110,12 +110,12 @@ std::vector<double> FlowReaches(
       if (first.Speed[i] > 0.0 && speed > 0.0)
       {
         const double share = std::min(1.0, (trace.TimeAllowed - trace.Time) * speed / step);
-        trace.Position = moved(trace.Position, middle.Unit[i], share * step);
+        trace.Position = Moved(trace.Position, middle.Unit[i], share * step);
         trace.Length += share * step;
         trace.Time += step / speed;
         trace.Box.AddPoint(trace.Position.data());
       }
-      reaches[trace.Place] = reachOf(trace, length);
+      reaches[trace.Place] = ReachOf(trace, length);
       if (first.Speed[i] > 0.0 && speed > 0.0 && trace.Time < trace.TimeAllowed)
       {
         going.push_back(trace);

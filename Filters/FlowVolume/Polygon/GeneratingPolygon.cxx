@@ -65,7 +65,7 @@ bool SortPoints(vtkPolyData* data, std::vector<Loop>& loops, std::vector<Vector3
         places[static_cast<std::size_t>(point)] = 0;
         points.emplace_back(Vector3{}, point);
         data->GetPoint(point, points.back().first.data());
-        if (!isFinite(points.back().first))
+        if (!IsFinite(points.back().first))
         {
           return false;
         }
@@ -114,11 +114,11 @@ void OrientConsistently(PolygonMesh& mesh)
   for (const auto& triangle : mesh.Triangles)
   {
     const Vector3 area = AreaVector(mesh, triangle);
-    sum = dot(sum, area) < 0.0 ? sum - area : sum + area;
+    sum = Dot(sum, area) < 0.0 ? sum - area : sum + area;
   }
   for (auto& triangle : mesh.Triangles)
   {
-    if (dot(AreaVector(mesh, triangle), sum) < 0.0)
+    if (Dot(AreaVector(mesh, triangle), sum) < 0.0)
     {
       std::swap(triangle[1], triangle[2]);
     }
@@ -149,13 +149,13 @@ struct FlatPolygon
     for (std::size_t i = 0; i < this->Points.size(); ++i)
     {
       const Vector3& next = this->Points[(i + 1) % this->Points.size()];
-      this->AreaVector = this->AreaVector + 0.5 * cross(this->Points[i], next);
+      this->AreaVector = this->AreaVector + 0.5 * Cross(this->Points[i], next);
     }
-    const Vector3 normal = normalized(this->AreaVector);
+    const Vector3 normal = Normalized(this->AreaVector);
     for (const Vector3& point : this->Points)
     {
       this->DistanceFromPlane =
-        std::max(this->DistanceFromPlane, std::abs(dot(normal, point - center)));
+        std::max(this->DistanceFromPlane, std::abs(Dot(normal, point - center)));
     }
   }
 
@@ -185,10 +185,10 @@ private:
         return this->Points[static_cast<std::size_t>(triangles.back()[c])];
       };
       const Vector3 one = nephoscope::AreaVector(corner(0), corner(1), corner(2));
-      area += std::abs(dot(one, normalized(this->AreaVector)));
+      area += std::abs(Dot(one, Normalized(this->AreaVector)));
     }
     return triangles.size() + 2 == this->Points.size() &&
-      std::abs(area - norm(this->AreaVector)) < 1e-9;
+      std::abs(area - Norm(this->AreaVector)) < 1e-9;
   }
 };
 
@@ -202,7 +202,7 @@ std::string Number(double value)
 bool AddPolygon(const Loop& loop, PolygonMesh& mesh, std::string& problem)
 {
   const FlatPolygon flat(mesh.Points, loop);
-  if (!(norm(flat.AreaVector) > 1e-9))
+  if (!(Norm(flat.AreaVector) > 1e-9))
   {
     problem =
       "A generating polygon has no area, or crosses itself: give it three corners that are not in line, "

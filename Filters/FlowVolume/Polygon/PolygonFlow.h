@@ -55,7 +55,7 @@ struct PolygonVelocities
     {
       sum = sum + this->Values[static_cast<std::size_t>(id)];
     }
-    return dot(sum, AreaVector(polygon, t)) / 3.0;
+    return Dot(sum, AreaVector(polygon, t)) / 3.0;
   }
 
 private:
@@ -72,7 +72,7 @@ struct PolygonFlow
     for (std::size_t p = 0; p < polygon.Points.size(); ++p)
     {
       this->PointsInside += velocities.Inside[p];
-      this->MeanSpeed += velocities.Inside[p] ? norm(velocities.Values[p]) : 0.0;
+      this->MeanSpeed += velocities.Inside[p] ? Norm(velocities.Values[p]) : 0.0;
     }
     this->MeanSpeed /= static_cast<double>(std::max<std::size_t>(1, this->PointsInside));
     for (std::size_t t = 0; t < polygon.Triangles.size(); ++t)
@@ -99,16 +99,16 @@ private:
   void AddTriangle(const PolygonMesh& polygon, std::size_t t, const PolygonVelocities& velocities)
   {
     const Vector3 area = AreaVector(polygon, t);
-    this->Area += norm(area);
-    this->AreaInside += velocities.IsInside(polygon, t) ? norm(area) : 0.0;
+    this->Area += Norm(area);
+    this->AreaInside += velocities.IsInside(polygon, t) ? Norm(area) : 0.0;
     this->Flux += std::abs(velocities.Flux(polygon, t));
     this->NormalSum = this->NormalSum + area;
-    this->Normal = normalized(this->NormalSum);
+    this->Normal = Normalized(this->NormalSum);
     const auto& ends = polygon.Triangles[t];
     for (std::size_t c = 0; c < 3; ++c)
     {
       this->LongestEdge = std::max(this->LongestEdge,
-        distance(polygon.Points[static_cast<std::size_t>(ends[c])],
+        Distance(polygon.Points[static_cast<std::size_t>(ends[c])],
           polygon.Points[static_cast<std::size_t>(ends[(c + 1) % 3])]));
     }
   }

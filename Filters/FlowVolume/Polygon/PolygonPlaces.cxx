@@ -51,10 +51,10 @@ std::vector<unsigned char> SampleAt(
 PolygonPoints::PolygonPoints(int sides)
 {
   const RegularPolygon unit{ {}, 1.0, sides, unitNormal };
-  const Vector3 u = Perpendicular(unitNormal), v = cross(unitNormal, u);
+  const Vector3 u = Perpendicular(unitNormal), v = Cross(unitNormal, u);
   for (const Vector3& point : TriangulateRegularPolygon(unit, 0.0).Points)
   {
-    this->Points.push_back({ { dot(point, u), dot(point, v) } });
+    this->Points.push_back({ { Dot(point, u), Dot(point, v) } });
   }
 }
 
@@ -78,7 +78,7 @@ std::vector<bool> PolygonPoints::AreInside(
 
 void PolygonPoints::AddPlaces(const Candidate& c, std::vector<Vector3>& places) const
 {
-  const Vector3 normal = normalized(c.Velocity), u = Perpendicular(normal), v = cross(normal, u);
+  const Vector3 normal = Normalized(c.Velocity), u = Perpendicular(normal), v = Cross(normal, u);
   for (const auto& [a, b] : this->Points)
   {
     places.push_back(

@@ -94,18 +94,18 @@ private:
   {
     const Vector3 &a = this->Point(d.A), &b = this->Point(d.B), &c = this->Point(d.C),
                   &e = this->Point(d.D);
-    if (this->Longest > 0.0 && distance(c, e) > this->Longest)
+    if (this->Longest > 0.0 && Distance(c, e) > this->Longest)
     {
       return false;
     }
     // The sine of the sum of the angles at c and d, times the lengths of their arms.
     const double sine =
-      norm(cross(a - c, b - c)) * dot(a - e, b - e) + norm(cross(a - e, b - e)) * dot(a - c, b - c);
-    const double lengths = distance(a, c) * distance(b, c) * distance(a, e) * distance(b, e);
+      Norm(Cross(a - c, b - c)) * Dot(a - e, b - e) + Norm(Cross(a - e, b - e)) * Dot(a - c, b - c);
+    const double lengths = Distance(a, c) * Distance(b, c) * Distance(a, e) * Distance(b, e);
     const Vector3 area = AreaVector(a, b, c) + AreaVector(b, a, e);
-    const double least = 1e-9 * dot(area, area);
-    return sine < -1e-9 * lengths && dot(AreaVector(a, e, c), area) > least &&
-      dot(AreaVector(e, b, c), area) > least;
+    const double least = 1e-9 * Dot(area, area);
+    return sine < -1e-9 * lengths && Dot(AreaVector(a, e, c), area) > least &&
+      Dot(AreaVector(e, b, c), area) > least;
   }
 
   PolygonMesh& Mesh;
@@ -126,7 +126,7 @@ std::size_t HalveOnce(PolygonMesh& mesh, double longest)
   {
     const Vector3 a = mesh.Points[static_cast<std::size_t>(edges.Points[e][0])];
     const Vector3 b = mesh.Points[static_cast<std::size_t>(edges.Points[e][1])];
-    if (distance(a, b) > longest)
+    if (Distance(a, b) > longest)
     {
       middles[e] = static_cast<PointId>(mesh.Points.size());
       mesh.Points.push_back(Midpoint(a, b));

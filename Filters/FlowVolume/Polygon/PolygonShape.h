@@ -23,7 +23,7 @@ inline double Area(const PolygonMesh& mesh)
   double area = 0.0;
   for (const auto& t : mesh.Triangles)
   {
-    area += norm(AreaVector(mesh, t));
+    area += Norm(AreaVector(mesh, t));
   }
   return area;
 }
@@ -36,7 +36,7 @@ inline Vector3 Normal(const PolygonMesh& mesh)
   {
     sum = sum + AreaVector(mesh, t);
   }
-  return normalized(sum);
+  return Normalized(sum);
 }
 
 // The centre of its area.
@@ -47,7 +47,7 @@ inline Vector3 Center(const PolygonMesh& mesh)
   double weight = 0.0;
   for (const auto& t : mesh.Triangles)
   {
-    const double area = norm(AreaVector(mesh, t));
+    const double area = Norm(AreaVector(mesh, t));
     for (PointId point : t)
     {
       sum = sum + (area / 3.0) * (mesh.Points[static_cast<std::size_t>(point)] - origin);
@@ -65,7 +65,7 @@ inline double LongestEdge(const PolygonMesh& mesh)
     for (std::size_t i = 0; i < 3; ++i)
     {
       longest = std::max(longest,
-        distance(mesh.Points[static_cast<std::size_t>(t[i])],
+        Distance(mesh.Points[static_cast<std::size_t>(t[i])],
           mesh.Points[static_cast<std::size_t>(t[(i + 1) % 3])]));
     }
   }
@@ -99,27 +99,27 @@ inline Vector3 Perpendicular(const Vector3& direction)
   }
   Vector3 axis{};
   axis[least] = 1.0;
-  return normalized(cross(direction, axis));
+  return Normalized(Cross(direction, axis));
 }
 
 // Rotates the polygon about a point, by the smallest angle, until its normal is the direction. Nothing happens if the
 // direction or the polygon's normal is zero or not finite.
 inline void TurnNormalTo(PolygonMesh& mesh, const Vector3& center, const Vector3& direction)
 {
-  const Vector3 from = Normal(mesh), to = normalized(direction);
-  if (!(norm(from) > 0.5) || !(norm(to) > 0.5) || !isFinite(to))
+  const Vector3 from = Normal(mesh), to = Normalized(direction);
+  if (!(Norm(from) > 0.5) || !(Norm(to) > 0.5) || !IsFinite(to))
   {
     return;
   }
-  const Vector3 normal = cross(from, to);
-  const double sine = norm(normal), cosine = dot(from, to);
-  const Vector3 axis = sine > 1e-14 ? normalized(normal) : Perpendicular(from);
+  const Vector3 normal = Cross(from, to);
+  const double sine = Norm(normal), cosine = Dot(from, to);
+  const Vector3 axis = sine > 1e-14 ? Normalized(normal) : Perpendicular(from);
   for (Vector3& point : mesh.Points)
   {
     // Rodrigues' rotation formula.
     const Vector3 arm = point - center;
     point =
-      center + cosine * arm + sine * cross(axis, arm) + ((1.0 - cosine) * dot(axis, arm)) * axis;
+      center + cosine * arm + sine * Cross(axis, arm) + ((1.0 - cosine) * Dot(axis, arm)) * axis;
   }
 }
 }

@@ -47,17 +47,17 @@ PolygonMesh TriangulateRegularPolygon(const RegularPolygon& polygon, double maxi
 {
   PolygonMesh mesh;
   const int sides = std::max(polygon.Sides, 3);
-  const Vector3 normal = normalized(polygon.Normal);
+  const Vector3 normal = Normalized(polygon.Normal);
   const double radius = polygon.Radius;
   const double length = maximumEdgeLength > 0.0 ? maximumEdgeLength : 0.5 * radius;
   const double ringCount = std::ceil(radius / length - 1e-9);
   // Areas and their products must be finite numbers.
   if (!(radius > 0.0) || !std::isfinite(radius * radius * radius * radius) ||
-    !isFinite(polygon.Center) || !isFinite(normal) || !(norm(normal) > 0.5) || !(ringCount < 300.0))
+    !IsFinite(polygon.Center) || !IsFinite(normal) || !(Norm(normal) > 0.5) || !(ringCount < 300.0))
   {
     return mesh;
   }
-  const Vector3 u = Perpendicular(normal), v = cross(normal, u);
+  const Vector3 u = Perpendicular(normal), v = Cross(normal, u);
   const int rings = static_cast<int>(ringCount);
   const double side = 2.0 * radius * std::sin(pi / sides);
   const int outline = sides * static_cast<int>(std::ceil(side / length - 1e-9));

@@ -38,7 +38,7 @@ bool StepUpstream(
   next = from;
   for (const double part : { 0.5, 1.0 })
   {
-    next.Place = from.Place + (-part * distance) * normalized(along);
+    next.Place = from.Place + (-part * distance) * Normalized(along);
     if (!SampleAt(field, { next.Place }, velocity).front())
     {
       return false;
@@ -46,7 +46,7 @@ bool StepUpstream(
     along = velocity.front();
   }
   next.Velocity = along;
-  next.Speed = norm(along);
+  next.Speed = Norm(along);
   return true;
 }
 
@@ -151,7 +151,7 @@ bool IsFastAtRim(const DataSetField& field, const Candidate& place)
   std::vector<Vector3> velocities;
   SampleAt(field, rim, velocities);
   return std::all_of(velocities.begin(), velocities.end(),
-    [&place](const Vector3& velocity) { return norm(velocity) >= fastAtRim * place.Speed; });
+    [&place](const Vector3& velocity) { return Norm(velocity) >= fastAtRim * place.Speed; });
 }
 }
 

@@ -30,7 +30,7 @@ public:
       this->Velocities.data() + first, this->Inside.data() + first, front.Hints.data() + first });
     for (std::size_t i = first; i < first + count; ++i)
     {
-      this->Inside[i] = this->Inside[i] && isFinite(this->Velocities[i]);
+      this->Inside[i] = this->Inside[i] && IsFinite(this->Velocities[i]);
     }
   }
 
@@ -47,7 +47,7 @@ public:
     double forth = 0.0, back = 0.0;
     for (PointId point : t.Points)
     {
-      const double flux = dot(area, this->Velocities[static_cast<std::size_t>(point)]) / 3.0;
+      const double flux = Dot(area, this->Velocities[static_cast<std::size_t>(point)]) / 3.0;
       (flux > 0.0 ? forth : back) += std::abs(flux);
     }
     sum = forth - back;
@@ -59,10 +59,10 @@ public:
     double sum, against, largest = 0.0;
     this->Cross(front, t, sum, against);
     const double area =
-      norm(AreaVector(front.Corner(t, 0), front.Corner(t, 1), front.Corner(t, 2)));
+      Norm(AreaVector(front.Corner(t, 0), front.Corner(t, 1), front.Corner(t, 2)));
     for (PointId point : t.Points)
     {
-      largest = std::max(largest, area * norm(this->Velocities[static_cast<std::size_t>(point)]));
+      largest = std::max(largest, area * Norm(this->Velocities[static_cast<std::size_t>(point)]));
     }
     return against > parallel * largest || std::abs(sum) <= parallel * largest;
   }
@@ -127,7 +127,7 @@ SmokeFront MakeFirstFront(const PolygonMesh& polygon)
       [&places](PointId p) { return static_cast<PointId>(places[static_cast<std::size_t>(p)]); });
     auto& p = triangle.Points;
     std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
-    if (norm(AreaVector(
+    if (Norm(AreaVector(
           front.Corner(triangle, 0), front.Corner(triangle, 1), front.Corner(triangle, 2))) > 0.0)
     {
       front.Triangles.push_back(triangle);
@@ -163,7 +163,7 @@ Emission EmitFrom(SmokeFront& front, const VelocityField& field, double time,
   emission.Parallel =
     Remove(front.Triangles, [&](const FrontTriangle& t) { return flow.IsParallel(front, t); });
   std::transform(
-    flow.Velocities.begin(), flow.Velocities.end(), front.Directions.begin(), normalized);
+    flow.Velocities.begin(), flow.Velocities.end(), front.Directions.begin(), Normalized);
   for (FrontTriangle& triangle : front.Triangles)
   {
     double flux, against;

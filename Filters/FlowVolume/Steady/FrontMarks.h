@@ -25,8 +25,8 @@ inline void MarkLongEdges(const SmokeFront& front, const std::vector<Vector3>& a
   {
     const auto a = static_cast<std::size_t>(front.Edges.Points[e][0]);
     const auto b = static_cast<std::size_t>(front.Edges.Points[e][1]);
-    const double below = distance(front.Positions[a], front.Positions[b]);
-    const double later = inside[a] && inside[b] ? distance(above[a], above[b]) : 0.0;
+    const double below = Distance(front.Positions[a], front.Positions[b]);
+    const double later = inside[a] && inside[b] ? Distance(above[a], above[b]) : 0.0;
     marks[e] = below > limits.Shortest && std::max(below, later) > limits.Longest;
   }
 }
@@ -40,7 +40,7 @@ inline bool MarkTriangle(
   {
     const auto a = static_cast<std::size_t>(front.Edges.Points[e][0]);
     const auto b = static_cast<std::size_t>(front.Edges.Points[e][1]);
-    const bool mark = longest > 0.0 && distance(front.Positions[a], front.Positions[b]) > longest;
+    const bool mark = longest > 0.0 && Distance(front.Positions[a], front.Positions[b]) > longest;
     marks[e] |= mark;
     any |= mark;
   }

@@ -157,7 +157,7 @@ private:
       return false;
     }
     const Vector3& here = this->Above.Positions[Index(point)];
-    const Vector3 in = normalized(here - this->Above.Positions[Index(from)]);
+    const Vector3 in = Normalized(here - this->Above.Positions[Index(from)]);
     for (std::size_t i = this->Starts[Index(point)]; i < this->Starts[Index(point) + 1]; ++i)
     {
       const std::size_t t = this->Around[i];
@@ -168,7 +168,7 @@ private:
         if (this->Above.Edges.Uses[edge] == 1 && (ends[0] == point || ends[1] == point) &&
           to != from)
         {
-          return dot(in, normalized(this->Above.Positions[Index(to)] - here)) > cosineOfStraight;
+          return Dot(in, Normalized(this->Above.Positions[Index(to)] - here)) > cosineOfStraight;
         }
       }
     }
@@ -224,14 +224,14 @@ private:
     if (c[0] != c[1] && c[1] != c[2] && c[2] != c[0])
     {
       const Vector3 normal = this->Normal(t);
-      if (!(dot(normal, oldNormal) > cosineOfFold * norm(normal) * norm(oldNormal)))
+      if (!(Dot(normal, oldNormal) > cosineOfFold * Norm(normal) * Norm(oldNormal)))
       {
         return false;
       }
       for (std::size_t i = 0; this->Limits.Longest > 0.0 && i < 3; ++i)
       {
         const auto& p = this->Above.Positions;
-        if (distance(p[Index(c[i])], p[Index(c[(i + 1) % 3])]) > this->Limits.Longest)
+        if (Distance(p[Index(c[i])], p[Index(c[(i + 1) % 3])]) > this->Limits.Longest)
         {
           return false;
         }
@@ -256,7 +256,7 @@ std::vector<std::size_t> ShortEdges(const SmokeFront& front, double shortest)
   std::vector<std::pair<double, std::size_t>> sorted;
   for (std::size_t e = 0; e < front.Edges.Size(); ++e)
   {
-    const double length = distance(front.Positions[Index(front.Edges.Points[e][0])],
+    const double length = Distance(front.Positions[Index(front.Edges.Points[e][0])],
       front.Positions[Index(front.Edges.Points[e][1])]);
     if (length < shortest)
     {
@@ -279,7 +279,7 @@ double Flux(const SmokeFront& front, const std::vector<Vector3>& chords, const T
   const auto& p = front.Positions;
   const Vector3 area = AreaVector(p[Index(t[0])], p[Index(t[1])], p[Index(t[2])]);
   const Vector3 chord = chords[Index(t[0])] + chords[Index(t[1])] + chords[Index(t[2])];
-  return std::max(dot(area, chord), 1e-6 * norm(area) * norm(chord));
+  return std::max(Dot(area, chord), 1e-6 * Norm(area) * Norm(chord));
 }
 }
 

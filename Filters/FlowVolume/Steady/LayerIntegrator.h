@@ -54,7 +54,7 @@ public:
     AdvanceParticles(this->Field, particles, this->Time, step, this->Method);
     for (std::size_t i = first; i < count; ++i)
     {
-      top.Inside[i] = top.Inside[i] && isFinite(top.Positions[i]);
+      top.Inside[i] = top.Inside[i] && IsFinite(top.Positions[i]);
     }
   }
 

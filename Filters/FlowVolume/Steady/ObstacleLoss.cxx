@@ -54,7 +54,7 @@ std::vector<Vector3> WaysOf(
       count += at.Inside[c] ? 1.0 : 0.0;
     }
     const auto& p = ended[e].Corners;
-    ways[e] = count > 0.0 ? (ended[e].Step / count) * ways[e] : cross(p[1] - p[0], p[2] - p[0]);
+    ways[e] = count > 0.0 ? (ended[e].Step / count) * ways[e] : Cross(p[1] - p[0], p[2] - p[0]);
   }
   return ways;
 }
@@ -68,7 +68,7 @@ double MassAtObstacles(
   std::vector<std::size_t> owners;
   for (std::size_t e = 0; e < ended.size(); ++e)
   {
-    const double length = norm(ways[e]);
+    const double length = Norm(ways[e]);
     const double first = std::min(nearest * length, farthest);
     for (std::size_t c = 0; c < 3 && length > 0.0; ++c)
     {

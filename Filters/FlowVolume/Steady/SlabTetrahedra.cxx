@@ -74,7 +74,7 @@ PrismPart MakePart(const Prism& prism, const std::array<std::uint8_t, 4>& corner
   const auto& p = prism.Corners;
   return { { { prism.Ids[corners[0]], prism.Ids[corners[1]], prism.Ids[corners[2]],
              prism.Ids[corners[3]] } },
-    signedVolume(*p[corners[0]], *p[corners[1]], *p[corners[2]], *p[corners[3]]) };
+    SignedVolume(*p[corners[0]], *p[corners[1]], *p[corners[2]], *p[corners[3]]) };
 }
 
 PrismPattern PatternOf(const Prism& prism)

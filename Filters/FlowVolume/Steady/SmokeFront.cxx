@@ -22,7 +22,7 @@ std::vector<std::array<PointId, 2>> SmokeFront::HalveEdges(
     middles[e] = static_cast<PointId>(this->Positions.size());
     this->Positions.push_back(Midpoint(this->Positions[a], this->Positions[b]));
     this->Hints.push_back(CellHint(this->Hints[a]));
-    this->Directions.push_back(normalized(this->Directions[a] + this->Directions[b]));
+    this->Directions.push_back(Normalized(this->Directions[a] + this->Directions[b]));
     this->Ids.push_back(firstId + static_cast<PointId>(halved.size()));
     halved.push_back({ { this->Ids[a], this->Ids[b] } });
   }

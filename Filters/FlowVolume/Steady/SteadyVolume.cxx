@@ -22,7 +22,7 @@ double LongestEdge(const SmokeFront& front)
   for (const auto& edge : front.Edges.Points)
   {
     longest = std::max(longest,
-      distance(front.Positions[static_cast<std::size_t>(edge[0])],
+      Distance(front.Positions[static_cast<std::size_t>(edge[0])],
         front.Positions[static_cast<std::size_t>(edge[1])]));
   }
   return longest;
@@ -264,7 +264,7 @@ private:
     for (std::size_t i = 0; i < above.Positions.size(); ++i)
     {
       const Vector3 chord = above.Positions[i] - this->Front.Positions[i];
-      const double length = norm(chord);
+      const double length = Norm(chord);
       // A point that does not move stays the same point: two in one place would leave flat tetrahedra, and a crack
       // where they are left out.
       if (length > this->Rest)

@@ -25,7 +25,7 @@ double DiameterOf(const PolygonMesh& polygon)
   double farthest = 0.0;
   for (const Vector3& point : polygon.Points)
   {
-    farthest = std::max(farthest, distance(point, polygon.Points.front()));
+    farthest = std::max(farthest, Distance(point, polygon.Points.front()));
   }
   return 2.0 * farthest;
 }

@@ -69,7 +69,7 @@ double SmallestAngle(const PolygonMesh& mesh)
       const Vector3& p = mesh.Points[static_cast<std::size_t>(t[i])];
       const Vector3 a = mesh.Points[static_cast<std::size_t>(t[(i + 1) % 3])] - p;
       const Vector3 b = mesh.Points[static_cast<std::size_t>(t[(i + 2) % 3])] - p;
-      smallest = std::min(smallest, 180.0 / pi * std::acos(dot(a, b) / (norm(a) * norm(b))));
+      smallest = std::min(smallest, 180.0 / pi * std::acos(Dot(a, b) / (Norm(a) * Norm(b))));
     }
   }
   return smallest;
@@ -84,7 +84,7 @@ double OutlineLength(const PolygonMesh& mesh)
   for (std::size_t e = 0; e < edges.Size(); ++e)
   {
     EXPECT_LE(edges.Uses[e], 2);
-    sum += edges.Uses[e] == 1 ? distance(mesh.Points[static_cast<std::size_t>(edges.Points[e][0])],
+    sum += edges.Uses[e] == 1 ? Distance(mesh.Points[static_cast<std::size_t>(edges.Points[e][0])],
                                   mesh.Points[static_cast<std::size_t>(edges.Points[e][1])])
                               : 0.0;
   }
@@ -111,8 +111,8 @@ TEST(GeneratingPolygon, RegularPolygonsAreWellShapedAndOfTheWantedSize)
       EXPECT_NEAR(OutlineLength(mesh), sides * side, 1e-11);
       EXPECT_LE(LongestEdge(mesh), length * (1.0 + 1e-9));
       EXPECT_GT(SmallestAngle(mesh), 20.0) << sides << " sides, " << length;
-      EXPECT_LT(distance(Normal(mesh), { { 1.0 / 3, 2.0 / 3, -2.0 / 3 } }), 1e-12);
-      EXPECT_LT(distance(Center(mesh), center), 1e-12);
+      EXPECT_LT(Distance(Normal(mesh), { { 1.0 / 3, 2.0 / 3, -2.0 / 3 } }), 1e-12);
+      EXPECT_LT(Distance(Center(mesh), center), 1e-12);
       // Not many more triangles than equilateral ones of that size.
       const double fewest = Area(mesh) / (0.433 * length * length);
       EXPECT_LT(static_cast<double>(mesh.Triangles.size()), 4.0 * fewest + 2.0 * sides);
@@ -140,7 +140,7 @@ TEST(GeneratingPolygon, ConcavePolygonsWithPointsInARowKeepAreaAndOutline)
     EXPECT_NEAR(OutlineLength(mesh), 12.0, 1e-12);
     EXPECT_LE(LongestEdge(mesh), (length > 0.0 ? length : 0.75) * (1.0 + 1e-9));
     EXPECT_GT(SmallestAngle(mesh), 18.4); // undivided, an arm of the letter makes it atan(1/3)
-    EXPECT_LT(distance(Normal(mesh), { { 0, 0, 1 } }), 1e-12);
+    EXPECT_LT(Distance(Normal(mesh), { { 0, 0, 1 } }), 1e-12);
   }
 }
 
@@ -163,7 +163,7 @@ TEST(GeneratingPolygon, NeighboursConformAndTurnAlike)
   const auto mesh = Triangulated({ square, other }, 0.3);
   EXPECT_NEAR(Area(mesh), 2.0, 1e-12);
   EXPECT_NEAR(OutlineLength(mesh), 6.0, 1e-12);
-  EXPECT_NEAR(norm(Normal(mesh)), 1.0, 1e-12);
+  EXPECT_NEAR(Norm(Normal(mesh)), 1.0, 1e-12);
   EXPECT_NEAR(std::abs(Normal(mesh)[2]), 1.0, 1e-12);
 }
 
@@ -213,13 +213,13 @@ TEST(GeneratingPolygon, TurnsByTheSmallestAngle)
     auto mesh = TriangulateRegularPolygon({ center, 0.5, 5, from }, 0.2);
     const auto before = mesh.Points;
     TurnNormalTo(mesh, center, to);
-    EXPECT_LT(distance(Normal(mesh), normalized(to)), 1e-12);
+    EXPECT_LT(Distance(Normal(mesh), Normalized(to)), 1e-12);
     // The line both planes share does not move.
-    const Vector3 axis = cross(from, to);
+    const Vector3 axis = Cross(from, to);
     for (std::size_t i = 0; i < before.size(); ++i)
     {
-      EXPECT_NEAR(dot(before[i], axis), dot(mesh.Points[i], axis), 1e-12);
-      EXPECT_NEAR(distance(before[i], center), distance(mesh.Points[i], center), 1e-12);
+      EXPECT_NEAR(Dot(before[i], axis), Dot(mesh.Points[i], axis), 1e-12);
+      EXPECT_NEAR(Distance(before[i], center), Distance(mesh.Points[i], center), 1e-12);
     }
   }
   auto mesh = TriangulateRegularPolygon({ {}, 1.0, 6, { { 0, 0, 1 } } }, 0.5);

@@ -51,7 +51,7 @@ TEST(PrismTetrahedra, All720OrdersOfIdsFillThePrismAndCutSidesFromTheSmallestRan
           edges.insert(std::minmax(tetrahedron[i], tetrahedron[j]));
         }
       }
-      EXPECT_NEAR(signedVolume(p[0], p[1], p[2], p[3]), 1.0 / 6.0, 1e-15);
+      EXPECT_NEAR(SignedVolume(p[0], p[1], p[2], p[3]), 1.0 / 6.0, 1e-15);
     }
     static constexpr std::size_t sides[3][4] = { { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } };
     for (const auto& side : sides)
@@ -109,8 +109,8 @@ TEST(PrismVolume, IsExactForStraightPrismsAndPyramids)
   const auto& p = corners;
   EXPECT_NEAR(PrismVolume(p[0], p[1], p[2], p[3], p[4], p[5]), 0.5, 1e-15);
   // The edge 3 4 merged at 3: the skew side 1 2 5 3 cut at 2 3 leaves one tetrahedron, at 1 5 two.
-  const double one = signedVolume(p[0], p[1], p[2], p[3]);
-  const double other = signedVolume(p[1], p[2], p[3], p[5]);
+  const double one = SignedVolume(p[0], p[1], p[2], p[3]);
+  const double other = SignedVolume(p[1], p[2], p[3], p[5]);
   EXPECT_NEAR(PrismVolume(p[0], p[1], p[2], p[3], p[3], p[5]), one + 0.5 * other, 1e-15);
 }
 

@@ -169,8 +169,8 @@ TEST(SteadyVolume, TheOrderOfPointsAndTrianglesMakesNoDifference)
 TEST(SteadyVolume, DoesNotDependOnTheNumberOfThreads)
 {
   SmokeMesh one, four;
-  withThreads(1, [&]() { one = Build(ABC(), Square(0.4, 24), Steps(1.0, 8)); });
-  withThreads(4, [&]() { four = Build(ABC(), Square(0.4, 24), Steps(1.0, 8)); });
+  WithThreads(1, [&]() { one = Build(ABC(), Square(0.4, 24), Steps(1.0, 8)); });
+  WithThreads(4, [&]() { four = Build(ABC(), Square(0.4, 24), Steps(1.0, 8)); });
   EXPECT_EQ(one.Points, four.Points);
   EXPECT_EQ(one.Tetrahedra, four.Tetrahedra);
   EXPECT_EQ(one.Densities, four.Densities);

@@ -86,7 +86,7 @@ private:
       for (std::size_t j = i + 1; j < 4; ++j)
       {
         const Edge edge{ std::min(points[i], points[j]), std::max(points[i], points[j]) };
-        const double length = distance(this->Mesh.Positions[static_cast<std::size_t>(edge.A)],
+        const double length = Distance(this->Mesh.Positions[static_cast<std::size_t>(edge.A)],
           this->Mesh.Positions[static_cast<std::size_t>(edge.B)]);
         const bool isLong = length > this->Limits.MaximumEdgeLength && std::isfinite(length);
         if (isLong && !(this->IsFixed(edge.A) && this->IsFixed(edge.B)))

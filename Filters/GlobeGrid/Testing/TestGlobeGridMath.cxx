@@ -69,13 +69,13 @@ TEST(Geodesy, BasisIsRightHandedAndOrthonormal)
     for (double latitude = -90.0; latitude <= 90.0; latitude += 15.0)
     {
       const geodesy::Basis b = BasisAt(longitude, latitude);
-      EXPECT_NEAR(dot(b.east, b.east), 1.0, 1e-15);
-      EXPECT_NEAR(dot(b.north, b.north), 1.0, 1e-15);
-      EXPECT_NEAR(dot(b.east, b.north), 0.0, 1e-15);
+      EXPECT_NEAR(Dot(b.east, b.east), 1.0, 1e-15);
+      EXPECT_NEAR(Dot(b.north, b.north), 1.0, 1e-15);
+      EXPECT_NEAR(Dot(b.east, b.north), 0.0, 1e-15);
       const Vector3 cross = { b.east[1] * b.north[2] - b.east[2] * b.north[1],
         b.east[2] * b.north[0] - b.east[0] * b.north[2],
         b.east[0] * b.north[1] - b.east[1] * b.north[0] };
-      EXPECT_NEAR(dot(cross, b.up), 1.0, 1e-15);
+      EXPECT_NEAR(Dot(cross, b.up), 1.0, 1e-15);
     }
   }
 }

@@ -39,7 +39,7 @@ inline const Polygon uPolygon = { { { 0, 0 } }, { { 3, 0 } }, { { 3, 2 } }, { { 
   { { 2, 1 } }, { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } };
 
 /** A right prism of height 1. */
-inline Polyhedron makePrism(const Polygon& polygon)
+inline Polyhedron MakePrism(const Polygon& polygon)
 {
   Polyhedron result;
   const int n = static_cast<int>(polygon.size());
@@ -67,7 +67,7 @@ inline Polyhedron makePrism(const Polygon& polygon)
 }
 
 /** Two polyhedra in one. */
-inline Polyhedron joined(const Polyhedron& a, const Polyhedron& b)
+inline Polyhedron Joined(const Polyhedron& a, const Polyhedron& b)
 {
   Polyhedron result = a;
   const int shift = static_cast<int>(a.Points.size());
@@ -85,7 +85,7 @@ inline Polyhedron joined(const Polyhedron& a, const Polyhedron& b)
   return result;
 }
 
-inline Polyhedron moved(Polyhedron p, double scale, const Vector3& by)
+inline Polyhedron Moved(Polyhedron p, double scale, const Vector3& by)
 {
   for (Vector3& x : p.Points)
   {
@@ -95,7 +95,7 @@ inline Polyhedron moved(Polyhedron p, double scale, const Vector3& by)
 }
 
 /** Volume inside the surface as it is wound: cones from its first vertex, faces as fans. */
-inline double volumeOf(const nephoscope::PolyhedronSurface& surface)
+inline double VolumeOf(const nephoscope::PolyhedronSurface& surface)
 {
   double six = 0;
   const nephoscope::FaceList<int> faces = surface.Faces();
@@ -103,7 +103,7 @@ inline double volumeOf(const nephoscope::PolyhedronSurface& surface)
   {
     for (int k = 2; k < *face; ++k)
     {
-      six += nephoscope::sixVolumes(surface.Position(0), surface.Position(face[1]),
+      six += nephoscope::SixVolumes(surface.Position(0), surface.Position(face[1]),
         surface.Position(face[k]), surface.Position(face[k + 1]));
     }
   }

@@ -52,8 +52,8 @@ struct Face
   Vector3 AreaVector(const Triangle& t) const
   {
     const Vector3& a = this->Positions[static_cast<std::size_t>(t[0])];
-    return cross(difference(this->Positions[static_cast<std::size_t>(t[1])], a),
-      difference(this->Positions[static_cast<std::size_t>(t[2])], a));
+    return Cross(Difference(this->Positions[static_cast<std::size_t>(t[1])], a),
+      Difference(this->Positions[static_cast<std::size_t>(t[2])], a));
   }
   Vector3 AreaVector() const
   {
@@ -73,7 +73,7 @@ struct Face
   std::vector<int> Vertices;
 };
 
-std::set<std::set<int>> asSet(const std::vector<Triangle>& triangles)
+std::set<std::set<int>> AsSet(const std::vector<Triangle>& triangles)
 {
   std::set<std::set<int>> result;
   for (const Triangle& t : triangles)
@@ -83,7 +83,7 @@ std::set<std::set<int>> asSet(const std::vector<Triangle>& triangles)
   return result;
 }
 
-Polygon randomStar(Random& random, int n)
+Polygon RandomStar(Random& random, int n)
 {
   Polygon polygon;
   for (int k = 0; k < n; ++k)
@@ -94,14 +94,14 @@ Polygon randomStar(Random& random, int n)
   return polygon;
 }
 
-void expectCovers(const Face& face, const FaceTriangulation& triangulation)
+void ExpectCovers(const Face& face, const FaceTriangulation& triangulation)
 {
   const Vector3 whole = face.AreaVector();
-  const double length = std::sqrt(dot(whole, whole));
+  const double length = std::sqrt(Dot(whole, whole));
   double sum = 0;
   for (const Triangle& t : triangulation.GetTriangles())
   {
-    const double part = dot(face.AreaVector(t), whole) / length;
+    const double part = Dot(face.AreaVector(t), whole) / length;
     EXPECT_GT(part, 0);
     sum += part;
   }
@@ -109,7 +109,7 @@ void expectCovers(const Face& face, const FaceTriangulation& triangulation)
   EXPECT_NEAR(sum, length, 1e-12);
 }
 
-std::vector<HalfSpace> halfSpacesOf(const Polyhedron& p)
+std::vector<HalfSpace> HalfSpacesOf(const Polyhedron& p)
 {
   std::vector<HalfSpace> result;
   PolyhedronSurface surface;
@@ -121,13 +121,13 @@ std::vector<HalfSpace> halfSpacesOf(const Polyhedron& p)
     Vector3 n{ { 0, 0, 0 } };
     for (int k = 2; k < *face; ++k)
     {
-      const Vector3 part = cross(
-        difference(surface.Position(face[k]), a), difference(surface.Position(face[k + 1]), a));
+      const Vector3 part = Cross(
+        Difference(surface.Position(face[k]), a), Difference(surface.Position(face[k + 1]), a));
       n = { { n[0] + part[0], n[1] + part[1], n[2] + part[2] } };
     }
-    const double length = std::sqrt(dot(n, n));
+    const double length = std::sqrt(Dot(n, n));
     n = { { n[0] / length, n[1] / length, n[2] / length } };
-    result.push_back({ n, dot(n, a) });
+    result.push_back({ n, Dot(n, a) });
   }
   return result;
 }
@@ -139,10 +139,10 @@ TEST(FaceTriangulation, CoversAnyPolygon)
   int fans = 0;
   for (int trial = 0; trial < 500; ++trial)
   {
-    const Face face(randomStar(random, 4 + trial % 9), trial % 2 ? 0.01 : 0.0);
+    const Face face(RandomStar(random, 4 + trial % 9), trial % 2 ? 0.01 : 0.0);
     FaceTriangulation triangulation;
     ASSERT_TRUE(face.Cut(triangulation)) << trial;
-    expectCovers(face, triangulation);
+    ExpectCovers(face, triangulation);
     fans += triangulation.IsFan();
   }
   EXPECT_GT(fans, 20);
@@ -154,16 +154,16 @@ TEST(FaceTriangulation, IsTheSameFromBothSidesAndFromAnyStart)
   Random random(2);
   for (int trial = 0; trial < 200; ++trial)
   {
-    Face face(randomStar(random, 5 + trial % 8), 0.02);
+    Face face(RandomStar(random, 5 + trial % 8), 0.02);
     FaceTriangulation one, other;
     ASSERT_TRUE(face.Cut(one));
     std::rotate(face.Vertices.begin(), face.Vertices.begin() + trial % 5, face.Vertices.end());
     ASSERT_TRUE(face.Cut(other));
-    EXPECT_EQ(asSet(one.GetTriangles()), asSet(other.GetTriangles()));
+    EXPECT_EQ(AsSet(one.GetTriangles()), AsSet(other.GetTriangles()));
     std::reverse(face.Vertices.begin(), face.Vertices.end());
     ASSERT_TRUE(face.Cut(other));
-    EXPECT_EQ(asSet(one.GetTriangles()), asSet(other.GetTriangles()));
-    expectCovers(face, other);
+    EXPECT_EQ(AsSet(one.GetTriangles()), AsSet(other.GetTriangles()));
+    ExpectCovers(face, other);
   }
 }
 
@@ -193,7 +193,7 @@ TEST(FaceTriangulation, FacesWithAHoleThroughABridge)
     { { 1, 1 } }, { { 1, 2 } }, { { 2, 2 } }, { { 2, 1 } }, { { 1, 1 } } });
   FaceTriangulation triangulation;
   ASSERT_TRUE(face.Cut(triangulation));
-  expectCovers(face, triangulation);
+  ExpectCovers(face, triangulation);
 }
 
 TEST(FaceTriangulation, APointInTheMiddleOfAnEdgeMakesNoFlatTriangle)
@@ -201,7 +201,7 @@ TEST(FaceTriangulation, APointInTheMiddleOfAnEdgeMakesNoFlatTriangle)
   const Face face({ { { 0, 0 } }, { { 0, -0.5 } }, { { 0, -1 } }, { { 1, -1 } }, { { 1, 0 } } });
   FaceTriangulation triangulation;
   ASSERT_TRUE(face.Cut(triangulation));
-  expectCovers(face, triangulation);
+  ExpectCovers(face, triangulation);
 }
 
 TEST(FaceTriangulation, RefusesFacesThatCrossThemselvesOrHaveNoArea)
@@ -217,7 +217,7 @@ TEST(KernelPoint, FindsTheLargestBall)
   // Cube: 1/2. The L's kernel is the cube at its corner. A tetrahedron's inscribed ball: r = 3 V / A.
   for (const auto& polygon : { squarePolygon, lPolygon })
   {
-    const Ball ball = KernelPoint::Find(halfSpacesOf(makePrism(polygon)));
+    const Ball ball = KernelPoint::Find(HalfSpacesOf(MakePrism(polygon)));
     EXPECT_GT(ball.Radius, 0.98 * 0.5);
     EXPECT_LE(ball.Radius, 0.5 + 1e-12);
   }
@@ -225,7 +225,7 @@ TEST(KernelPoint, FindsTheLargestBall)
                                   { { 0, 0, 1 } } },
     { 3, 0, 1, 2, 3, 0, 1, 3, 3, 0, 2, 3, 3, 1, 2, 3 } };
   const double inscribed = 3 * (1.0 / 6) / (1.5 + std::sqrt(3.0) / 2);
-  const Ball ball = KernelPoint::Find(halfSpacesOf(tetrahedron));
+  const Ball ball = KernelPoint::Find(HalfSpacesOf(tetrahedron));
   EXPECT_GT(ball.Radius, 0.98 * inscribed);
   EXPECT_LE(ball.Radius, inscribed + 1e-12);
 }
@@ -239,11 +239,11 @@ TEST(KernelPoint, SmallKernelsAreFoundAndEmptyOnesKnown)
       { { 0, 1 } } };
     const double half = gap / (1 - gap), leg = std::sqrt(gap * gap + half * half);
     const double inscribed = half * gap / (half + leg);
-    const Ball ball = KernelPoint::Find(halfSpacesOf(makePrism(notch)));
+    const Ball ball = KernelPoint::Find(HalfSpacesOf(MakePrism(notch)));
     EXPECT_GT(ball.Radius, 0.98 * inscribed) << gap;
     EXPECT_LE(ball.Radius, inscribed + 1e-12) << gap;
   }
-  EXPECT_LT(KernelPoint::Find(halfSpacesOf(makePrism(uPolygon))).Radius, 0);
+  EXPECT_LT(KernelPoint::Find(HalfSpacesOf(MakePrism(uPolygon))).Radius, 0);
 }
 
 TEST(MeanValueWeights, AreEqualWhereSymmetryAsksForIt)
@@ -263,7 +263,7 @@ TEST(MeanValueWeights, AreEqualWhereSymmetryAsksForIt)
       }
     }
   }
-  const auto weights = newPointWeights(x, 6, tetrahedra);
+  const auto weights = NewPointWeights(x, 6, tetrahedra);
   ASSERT_EQ(weights.size(), 1u);
   for (const double w : weights[0])
   {
@@ -311,7 +311,7 @@ TEST(MeanValueWeights, AreExactForLinearFieldsAndNeverNegative)
       part[i] = second;
       tetrahedra.push_back(part);
     }
-    const auto weights = newPointWeights(x, n + 2, tetrahedra);
+    const auto weights = NewPointWeights(x, n + 2, tetrahedra);
     ASSERT_EQ(weights.size(), 2u);
     for (std::size_t p = 0; p < 2; ++p)
     {

@@ -15,11 +15,11 @@ using namespace nephoscope;
 
 namespace
 {
-std::vector<char> answer(int i)
+std::vector<char> Answer(int i)
 {
   return std::vector<char>(static_cast<std::size_t>(1000 * i), static_cast<char>('a' + i));
 }
-bool always()
+bool Always()
 {
   return true;
 }
@@ -27,18 +27,18 @@ bool always()
 
 TEST(IsolatedProcess, ReturnsWhatTheCallsReturn)
 {
-  const auto results = runIsolated(20, 10, answer, always);
+  const auto results = RunIsolated(20, 10, Answer, Always);
   ASSERT_EQ(results.size(), 20u);
   for (int i = 0; i < 20; ++i)
   {
     EXPECT_EQ(results[static_cast<std::size_t>(i)].Failure, "");
-    EXPECT_EQ(results[static_cast<std::size_t>(i)].Bytes, answer(i));
+    EXPECT_EQ(results[static_cast<std::size_t>(i)].Bytes, Answer(i));
   }
 }
 
 TEST(IsolatedProcess, SurvivesCrashesEndsAndHangs)
 {
-  const auto results = runIsolated(
+  const auto results = RunIsolated(
     8, 0.5,
     [](int i) {
       if (i == 1)
@@ -57,9 +57,9 @@ TEST(IsolatedProcess, SurvivesCrashesEndsAndHangs)
       {
         _exit(0);
       }
-      return answer(i);
+      return Answer(i);
     },
-    always);
+    Always);
   const char* failures[] = { "", "crashed", "", "crashed", "took longer", "", "", "ended" };
   for (int i = 0; i < 8; ++i)
   {
@@ -67,7 +67,7 @@ TEST(IsolatedProcess, SurvivesCrashesEndsAndHangs)
     const bool failed = failures[i][0] != 0;
     EXPECT_EQ(result.Failure.empty(), !failed) << i << ": " << result.Failure;
     EXPECT_NE(result.Failure.find(failures[i]), std::string::npos) << i << ": " << result.Failure;
-    EXPECT_EQ(result.Bytes, failed ? std::vector<char>() : answer(i));
+    EXPECT_EQ(result.Bytes, failed ? std::vector<char>() : Answer(i));
   }
 }
 
@@ -75,7 +75,7 @@ TEST(IsolatedProcess, CanBeAborted)
 {
   int asked = 0;
   const auto begin = std::chrono::steady_clock::now();
-  const auto results = runIsolated(
+  const auto results = RunIsolated(
     5, 60,
     [](int) {
       std::this_thread::sleep_for(std::chrono::seconds(60));

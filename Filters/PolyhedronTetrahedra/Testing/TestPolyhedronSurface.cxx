@@ -19,7 +19,7 @@ namespace
 using State = PolyhedronSurface::State;
 
 // Winds every face at random and starts it anywhere.
-void shuffleFaces(Polyhedron& p, Random& random)
+void ShuffleFaces(Polyhedron& p, Random& random)
 {
   for (std::size_t i = 0; i < p.Faces.size(); i += static_cast<std::size_t>(p.Faces[i]) + 1)
   {
@@ -34,12 +34,12 @@ void shuffleFaces(Polyhedron& p, Random& random)
   }
 }
 
-bool isConvex(const Polyhedron& p, bool isFloat = false, double warpTolerance = 0.1)
+bool IsConvex(const Polyhedron& p, bool isFloat = false, double warpTolerance = 0.1)
 {
   PolyhedronSurface surface;
   EXPECT_EQ(p.Build(surface), State::Closed);
-  const double slack = slackOf(surface, isFloat);
-  return isConvexButForWarp(surface, slack, warpTolerance) && coneFillsCell(surface, slack);
+  const double slack = SlackOf(surface, isFloat);
+  return IsConvexButForWarp(surface, slack, warpTolerance) && ConeFillsCell(surface, slack);
 }
 }
 
@@ -51,11 +51,11 @@ TEST(PolyhedronSurface, WindsFacesOutward)
     for (const auto& [polygon, volume] : { std::make_pair(squarePolygon, 1.0),
            std::make_pair(lPolygon, 3.0), std::make_pair(uPolygon, 5.0) })
     {
-      Polyhedron prism = makePrism(polygon);
-      shuffleFaces(prism, random);
+      Polyhedron prism = MakePrism(polygon);
+      ShuffleFaces(prism, random);
       PolyhedronSurface surface;
       ASSERT_EQ(prism.Build(surface), State::Closed);
-      EXPECT_NEAR(volumeOf(surface), volume, 1e-12);
+      EXPECT_NEAR(VolumeOf(surface), volume, 1e-12);
     }
   }
 }
@@ -63,24 +63,24 @@ TEST(PolyhedronSurface, WindsFacesOutward)
 TEST(PolyhedronSurface, CavitiesAreTakenAwayAndIslandsAdded)
 {
   Random random(2);
-  const Polyhedron cube = makePrism(squarePolygon);
-  const Polyhedron cavity = moved(cube, 0.5, { { 0.2, 0.25, 0.3 } });
-  const Polyhedron island = moved(cube, 0.25, { { 0.3, 0.35, 0.4 } });
-  const Polyhedron beside = moved(cube, 1.0, { { 5, 0, 0 } });
+  const Polyhedron cube = MakePrism(squarePolygon);
+  const Polyhedron cavity = Moved(cube, 0.5, { { 0.2, 0.25, 0.3 } });
+  const Polyhedron island = Moved(cube, 0.25, { { 0.3, 0.35, 0.4 } });
+  const Polyhedron beside = Moved(cube, 1.0, { { 5, 0, 0 } });
   for (int trial = 0; trial < 20; ++trial)
   {
-    Polyhedron all = joined(joined(joined(cavity, cube), island), beside);
-    shuffleFaces(all, random);
+    Polyhedron all = Joined(Joined(Joined(cavity, cube), island), beside);
+    ShuffleFaces(all, random);
     PolyhedronSurface surface;
     ASSERT_EQ(all.Build(surface), State::Closed);
-    EXPECT_NEAR(volumeOf(surface), 1 - 1.0 / 8 + 1.0 / 64 + 1, 1e-12);
+    EXPECT_NEAR(VolumeOf(surface), 1 - 1.0 / 8 + 1.0 / 64 + 1, 1e-12);
     EXPECT_EQ(surface.CavityFaces().size(), 1u);
   }
 }
 
 TEST(PolyhedronSurface, MergesPointsAtOnePlace)
 {
-  Polyhedron wedge = makePrism(squarePolygon);
+  Polyhedron wedge = MakePrism(squarePolygon);
   wedge.Points[6] =
     wedge.Points[2] = { { 1, 1, 0.5 } }; // one edge shrinks to a point, whose two numbers stay
   PolyhedronSurface surface;
@@ -91,13 +91,13 @@ TEST(PolyhedronSurface, MergesPointsAtOnePlace)
 TEST(PolyhedronSurface, RefusesWhatHasNoInside)
 {
   PolyhedronSurface surface;
-  Polyhedron open = makePrism(squarePolygon);
+  Polyhedron open = MakePrism(squarePolygon);
   open.Faces.resize(open.Faces.size() - 5); // one side is missing
   EXPECT_EQ(open.Build(surface), State::NotClosed);
-  Polyhedron twice = makePrism(squarePolygon);
+  Polyhedron twice = MakePrism(squarePolygon);
   twice.Faces.insert(twice.Faces.end(), { 4, 0, 1, 5, 4 });
   EXPECT_EQ(twice.Build(surface), State::NotClosed);
-  Polyhedron nan = makePrism(squarePolygon);
+  Polyhedron nan = MakePrism(squarePolygon);
   nan.Points[3][1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(nan.Build(surface), State::NotFinite);
   EXPECT_EQ(Polyhedron().Build(surface), State::NotClosed);
@@ -120,30 +120,30 @@ TEST(PolyhedronSurface, RefusesWhatHasNoInside)
 
 TEST(PolyhedronConvexity, OfPlaneFaces)
 {
-  EXPECT_TRUE(isConvex(makePrism(squarePolygon)));
-  EXPECT_FALSE(isConvex(makePrism(lPolygon)));
-  EXPECT_FALSE(isConvex(makePrism(uPolygon)));
+  EXPECT_TRUE(IsConvex(MakePrism(squarePolygon)));
+  EXPECT_FALSE(IsConvex(MakePrism(lPolygon)));
+  EXPECT_FALSE(IsConvex(MakePrism(uPolygon)));
   // With a point in the middle of an edge, and a face cut in two.
-  EXPECT_TRUE(isConvex(
-    makePrism({ { { 0, 0 } }, { { 0.5, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
+  EXPECT_TRUE(IsConvex(
+    MakePrism({ { { 0, 0 } }, { { 0.5, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
   // A dent of a thousandth, a bulge of a thousandth.
-  EXPECT_FALSE(isConvex(
-    makePrism({ { { 0, 0 } }, { { 0.5, 1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
-  EXPECT_TRUE(isConvex(
-    makePrism({ { { 0, 0 } }, { { 0.5, -1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
+  EXPECT_FALSE(IsConvex(
+    MakePrism({ { { 0, 0 } }, { { 0.5, 1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
+  EXPECT_TRUE(IsConvex(
+    MakePrism({ { { 0, 0 } }, { { 0.5, -1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } })));
 }
 
 TEST(PolyhedronConvexity, DoesNotDependOnScaleOrPlace)
 {
   const Polyhedron dented =
-    makePrism({ { { 0, 0 } }, { { 0.5, 1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } });
+    MakePrism({ { { 0, 0 } }, { { 0.5, 1e-3 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } });
   for (const double scale : { 1e-12, 1e-3, 1e9 })
   {
     for (const double far : { 0.0, 1e3 })
     {
       const Vector3 by{ { far * scale, -far * scale, far * scale } };
-      EXPECT_TRUE(isConvex(moved(makePrism(squarePolygon), scale, by)));
-      EXPECT_FALSE(isConvex(moved(dented, scale, by)));
+      EXPECT_TRUE(IsConvex(Moved(MakePrism(squarePolygon), scale, by)));
+      EXPECT_FALSE(IsConvex(Moved(dented, scale, by)));
     }
   }
 }
@@ -161,12 +161,12 @@ TEST(PolyhedronConvexity, ForgivesTheRoundingOfFloats)
   }
   for (const double far : { 0.0, 10.0, 1e3 })
   {
-    Polyhedron prism = moved(makePrism(polygon), 1, { { far, 0.7 * far, 0.3 * far } });
+    Polyhedron prism = Moved(MakePrism(polygon), 1, { { far, 0.7 * far, 0.3 * far } });
     for (Vector3& x : prism.Points)
     {
       x = { { static_cast<float>(x[0]), static_cast<float>(x[1]), static_cast<float>(x[2]) } };
     }
-    EXPECT_TRUE(isConvex(prism, true)) << far;
+    EXPECT_TRUE(IsConvex(prism, true)) << far;
   }
 }
 
@@ -177,25 +177,25 @@ TEST(PolyhedronConvexity, ForgivesWarpButNoFold)
   {
     for (const int corner : { 4, 5, 6, 7 })
     {
-      Polyhedron cube = makePrism(squarePolygon);
+      Polyhedron cube = MakePrism(squarePolygon);
       cube.Points[static_cast<std::size_t>(corner)][2] += lift;
-      EXPECT_TRUE(isConvex(cube)) << lift;
-      EXPECT_FALSE(isConvex(cube, false, 0.001)) << lift;
+      EXPECT_TRUE(IsConvex(cube)) << lift;
+      EXPECT_FALSE(IsConvex(cube, false, 0.001)) << lift;
     }
   }
-  Polyhedron folded = makePrism(squarePolygon);
+  Polyhedron folded = MakePrism(squarePolygon);
   folded.Points[6][2] = -0.9;
-  EXPECT_FALSE(isConvex(folded));
+  EXPECT_FALSE(IsConvex(folded));
 }
 
 TEST(PolyhedronConvexity, AConeThatIsInvertedIsFoundWhateverTheWarp)
 {
-  // The volume of the tetrahedra that would be drawn is the volume of the cell exactly when coneFillsCell says so.
+  // The volume of the tetrahedra that would be drawn is the volume of the cell exactly when ConeFillsCell says so.
   Random random(4);
   int filled = 0;
   for (int trial = 0; trial < 2000; ++trial)
   {
-    Polyhedron cube = makePrism(squarePolygon);
+    Polyhedron cube = MakePrism(squarePolygon);
     for (Vector3& x : cube.Points)
     {
       for (double& c : x)
@@ -206,15 +206,15 @@ TEST(PolyhedronConvexity, AConeThatIsInvertedIsFoundWhateverTheWarp)
     PolyhedronSurface surface;
     ASSERT_EQ(cube.Build(surface), State::Closed);
     double all = 0, withSign = 0;
-    decomposeCell(
+    DecomposeCell(
       surface.Faces(), [](int a, int b) { return a < b; },
       [&](const std::array<int, 4>& t) {
-        const double six = sixVolumes(surface.Position(t[0]), surface.Position(t[1]),
+        const double six = SixVolumes(surface.Position(t[0]), surface.Position(t[1]),
           surface.Position(t[2]), surface.Position(t[3]));
         all += std::abs(six);
         withSign += six;
       });
-    const bool fills = coneFillsCell(surface, 0);
+    const bool fills = ConeFillsCell(surface, 0);
     filled += fills;
     EXPECT_EQ(fills, all - withSign < 1e-12) << trial;
   }

@@ -33,21 +33,21 @@ constexpr float unknown = -1;
 constexpr float darkest = 1e-9f;
 
 // Depths are interpolated, not fractions: through even clouds, or along a side of them, the depth is linear.
-float depthOf(vtkDataArray* fraction, vtkIdType i)
+float DepthOf(vtkDataArray* fraction, vtkIdType i)
 {
   return -std::log(std::max(static_cast<float>(fraction->GetComponent(i, 0)), darkest));
 }
 
-vtkSmartPointer<vtkDataSet> withDepths(vtkDataSet* clouds)
+vtkSmartPointer<vtkDataSet> WithDepths(vtkDataSet* clouds)
 {
   vtkDataArray* fraction = clouds->GetPointData()->GetArray(fractionName);
   vtkNew<vtkFloatArray> depths;
   depths->SetName(depthName);
   depths->SetNumberOfTuples(clouds->GetNumberOfPoints());
-  inParallel(clouds->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
+  InParallel(clouds->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      depths->SetValue(i, depthOf(fraction, i));
+      depths->SetValue(i, DepthOf(fraction, i));
     }
   });
   vtkSmartPointer<vtkDataSet> copy;
@@ -57,12 +57,12 @@ vtkSmartPointer<vtkDataSet> withDepths(vtkDataSet* clouds)
   return copy;
 }
 
-float valueOf(vtkDataArray* array, vtkIdType i)
+float ValueOf(vtkDataArray* array, vtkIdType i)
 {
   return array ? static_cast<float>(array->GetComponent(i, 0)) : unknown;
 }
 
-void takeInside(vtkDataSet* clouds, const std::vector<Place>& places, CloudShadow& shadow)
+void TakeInside(vtkDataSet* clouds, const std::vector<Place>& places, CloudShadow& shadow)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -85,13 +85,13 @@ void takeInside(vtkDataSet* clouds, const std::vector<Place>& places, CloudShado
     const auto i = static_cast<vtkIdType>(p);
     if (valid->GetComponent(i, 0) > 0)
     {
-      shadow.Fraction[p] = std::exp(-valueOf(depth, i));
-      shadow.Irradiance[p] = valueOf(irradiance, i);
+      shadow.Fraction[p] = std::exp(-ValueOf(depth, i));
+      shadow.Irradiance[p] = ValueOf(irradiance, i);
     }
   }
 }
 
-bool hasDiffuseLight(vtkDataSet* clouds)
+bool HasDiffuseLight(vtkDataSet* clouds)
 {
   vtkDataArray* upward = clouds->GetPointData()->GetArray("UpwardIrradiance");
   return upward && upward->GetRange(0)[1] > 0;
@@ -115,9 +115,9 @@ public:
     {
       const auto i = static_cast<vtkIdType>(p);
       boundary->GetPoint(i, places[p].data());
-      fields[p] = { { valueOf(depth, i), valueOf(irradiance, i) } };
+      fields[p] = { { ValueOf(depth, i), ValueOf(irradiance, i) } };
     }
-    this->Points = sunPoints(places, fields, {}, towardsSun, loop);
+    this->Points = SunPoints(places, fields, {}, towardsSun, loop);
     this->Faces = EntryFaces(this->Points, trianglesOf(boundary));
   }
 
@@ -157,7 +157,7 @@ private:
 };
 }
 
-CloudShadow cloudShadow(
+CloudShadow FindCloudShadow(
   vtkDataSet* clouds, const std::vector<Place>& places, const Place& towardsSun)
 {
   CloudShadow shadow;
@@ -166,15 +166,15 @@ CloudShadow cloudShadow(
     return shadow;
   }
   const Loop loop = [](std::int64_t count, const auto& body) {
-    inParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
+    InParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
   };
   shadow.Fraction.assign(places.size(), unknown);
   shadow.Irradiance.assign(places.size(), unknown);
-  const vtkSmartPointer<vtkDataSet> source = withDepths(clouds);
-  takeInside(source, places, shadow);
+  const vtkSmartPointer<vtkDataSet> source = WithDepths(clouds);
+  TakeInside(source, places, shadow);
   const CloudBase base(source, towardsSun, loop);
   const std::vector<SunPoint> points =
-    sunPoints(places, std::vector<Fields>(places.size()), {}, towardsSun, loop);
+    SunPoints(places, std::vector<Fields>(places.size()), {}, towardsSun, loop);
   loop(static_cast<std::int64_t>(places.size()), [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t p = begin; p < end; ++p)
     {
@@ -186,7 +186,7 @@ CloudShadow cloudShadow(
       }
     }
   });
-  if (!hasDiffuseLight(clouds))
+  if (!HasDiffuseLight(clouds))
   {
     shadow.Irradiance.clear();
   }

@@ -23,7 +23,7 @@ struct CloudShadow
 /**
  * Inside the mesh of lit clouds their light is that of its arrays; below it that where the ray towards the sun, of length 1, enters the mesh. Elsewhere all sunlight arrives.
  */
-CloudShadow cloudShadow(
+CloudShadow FindCloudShadow(
   vtkDataSet* clouds, const std::vector<Place>& places, const Place& towardsSun);
 }
 

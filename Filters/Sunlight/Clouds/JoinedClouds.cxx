@@ -87,7 +87,7 @@ private:
   std::vector<float> Weights;
 };
 
-bool isSingle(vtkDataSet* data)
+bool IsInSinglePrecision(vtkDataSet* data)
 {
   auto* set = vtkPointSet::SafeDownCast(data);
   auto* grid = vtkRectilinearGrid::SafeDownCast(data);
@@ -120,7 +120,7 @@ struct Pieces
       this->Optics->InsertNextTypedTuple(optics);
     }
     this->AddCells(part.Data, first);
-    this->IsSingle = this->IsSingle || isSingle(part.Data) ? 1 : 0;
+    this->IsSingle = this->IsSingle || IsInSinglePrecision(part.Data) ? 1 : 0;
   }
 
 private:
@@ -172,7 +172,7 @@ public:
 
 // The arrays of all ranks, one after the other.
 template <typename Array>
-void gather(vtkMultiProcessController* ranks, Array* array)
+void Gather(vtkMultiProcessController* ranks, Array* array)
 {
   if (ranks)
   {
@@ -183,7 +183,7 @@ void gather(vtkMultiProcessController* ranks, Array* array)
   }
 }
 
-std::vector<Place> placesOf(const Pieces& pieces)
+std::vector<Place> PlacesOf(const Pieces& pieces)
 {
   std::vector<Place> places(static_cast<std::size_t>(pieces.Places->GetNumberOfTuples()));
   for (std::size_t p = 0; p < places.size(); ++p)
@@ -198,9 +198,9 @@ std::vector<Place> placesOf(const Pieces& pieces)
 }
 
 // The number of each place in `points`, where coincident places are one point.
-std::vector<std::int32_t> numbersOf(const std::vector<Place>& places, vtkPoints* points)
+std::vector<std::int32_t> NumbersOf(const std::vector<Place>& places, vtkPoints* points)
 {
-  std::vector<std::int32_t> numbers = mergedPoints(places);
+  std::vector<std::int32_t> numbers = MergedPoints(places);
   points->SetDataTypeToDouble();
   for (std::size_t p = 0; p < numbers.size(); ++p)
   {
@@ -211,7 +211,7 @@ std::vector<std::int32_t> numbersOf(const std::vector<Place>& places, vtkPoints*
   return numbers;
 }
 
-OpticalFields meansOf(
+OpticalFields MeansOf(
   vtkFloatArray* optics, const std::vector<std::int32_t>& numbers, std::size_t count)
 {
   std::vector<std::array<double, opticalFields>> sums(count, { { 0, 0, 0, 0 } });
@@ -237,7 +237,7 @@ OpticalFields meansOf(
   return means;
 }
 
-void addCells(
+void AppendCells(
   vtkUnstructuredGrid* mesh, vtkIdTypeArray* cells, const std::vector<std::int32_t>& numbers)
 {
   vtkNew<vtkUnsignedCharArray> divisions;
@@ -276,7 +276,7 @@ CloudPart::CloudPart(vtkDataSet* data, const OpticalArrays& arrays)
   }
   vtkIdType ignored = 0;
   const auto values = [&](int k, vtkIdType& wrong) {
-    return valuesOf(source, arrays[k].Name, arrays[k].Otherwise, arrays[k].Scale, wrong);
+    return ValuesOf(source, arrays[k].Name, arrays[k].Otherwise, arrays[k].Scale, wrong);
   };
   this->Optics = { values(0, this->Wrong), values(1, ignored), values(2, ignored) };
 }
@@ -284,7 +284,7 @@ CloudPart::CloudPart(vtkDataSet* data, const OpticalArrays& arrays)
 namespace
 {
 // Field data, which describe the planet and the sun: those of the first rank that has points.
-void shareFieldData(
+void ShareFieldData(
   vtkMultiProcessController* ranks, const std::vector<vtkIdType>& counts, vtkFieldData* fields)
 {
   const auto first = std::find_if(counts.begin(), counts.end(), [](vtkIdType n) { return n > 0; });
@@ -312,19 +312,19 @@ void JoinedClouds::Join(vtkMultiProcessController* ranks)
   {
     pieces.Add(part, first);
   }
-  gather(ranks, pieces.Places.Get());
-  gather(ranks, pieces.Optics.Get());
-  gather(ranks, pieces.Cells.Get());
+  Gather(ranks, pieces.Places.Get());
+  Gather(ranks, pieces.Optics.Get());
+  Gather(ranks, pieces.Cells.Get());
   const int isSingle = pieces.IsSingle;
   ranks ? ranks->AllReduce(&isSingle, &pieces.IsSingle, 1, vtkCommunicator::MAX_OP) : 0;
 
   vtkNew<vtkPoints> points;
-  const std::vector<std::int32_t> numbers = numbersOf(placesOf(pieces), points);
+  const std::vector<std::int32_t> numbers = NumbersOf(PlacesOf(pieces), points);
   this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   this->Mesh->SetPoints(points);
   this->Optics =
-    meansOf(pieces.Optics, numbers, static_cast<std::size_t>(points->GetNumberOfPoints()));
-  addCells(this->Mesh, pieces.Cells, numbers);
+    MeansOf(pieces.Optics, numbers, static_cast<std::size_t>(points->GetNumberOfPoints()));
+  AppendCells(this->Mesh, pieces.Cells, numbers);
   for (CloudPart& part : this->Parts)
   {
     const auto begin = numbers.begin() + first;
@@ -335,6 +335,6 @@ void JoinedClouds::Join(vtkMultiProcessController* ranks)
   {
     this->Mesh->GetFieldData()->ShallowCopy(this->Parts.front().Data->GetFieldData());
   }
-  shareFieldData(ranks, counts, this->Mesh->GetFieldData());
+  ShareFieldData(ranks, counts, this->Mesh->GetFieldData());
 }
 }

@@ -31,12 +31,12 @@ namespace nephoscope
 {
 namespace
 {
-Vector difference(const Place& a, const Place& b)
+Vector Difference(const Place& a, const Place& b)
 {
   return { float(a[0] - b[0]), float(a[1] - b[1]), float(a[2] - b[2]) };
 }
 
-float lengthOf(const Vector& v)
+float LengthOf(const Vector& v)
 {
   return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
@@ -65,7 +65,7 @@ private:
   template <typename Body>
   void ForLevels(Body body)
   {
-    inParallel(this->Grid.Size[2], [this, &body](vtkIdType begin, vtkIdType end) {
+    InParallel(this->Grid.Size[2], [this, &body](vtkIdType begin, vtkIdType end) {
       for (int k = int(begin); k < end; ++k)
       {
         for (int j = 0; j < this->Grid.Size[1]; ++j)
@@ -93,10 +93,10 @@ private:
       const std::size_t before = p - (isFirst ? 0 : this->Stride[axis]),
                         after = p + (isLast ? 0 : this->Stride[axis]);
       this->Grid.Step[p][axis] = isLast
-        ? lengthOf(difference(this->Places[p], this->Places[before]))
-        : lengthOf(difference(this->Places[after], this->Places[p]));
-      Vector d = difference(this->Places[after], this->Places[before]);
-      const float length = lengthOf(d);
+        ? LengthOf(Difference(this->Places[p], this->Places[before]))
+        : LengthOf(Difference(this->Places[after], this->Places[p]));
+      Vector d = Difference(this->Places[after], this->Places[before]);
+      const float length = LengthOf(d);
       for (float& x : d)
       {
         x = length > 0 ? x / length : 0.0f;
@@ -124,7 +124,7 @@ private:
     bool closed = n > 2;
     for (std::size_t row = 0; row < this->Places.size() && closed; row += n)
     {
-      const float gap = lengthOf(difference(this->Places[row], this->Places[row + n - 1]));
+      const float gap = LengthOf(Difference(this->Places[row], this->Places[row + n - 1]));
       closed =
         gap <= 1e-3f * this->Grid.Step[row][0] + 1e-6f * std::abs(float(this->Places[row][0]));
     }
@@ -138,7 +138,7 @@ private:
 };
 }
 
-std::vector<float> valuesOf(
+std::vector<float> ValuesOf(
   vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong)
 {
   std::vector<float> values(
@@ -154,7 +154,7 @@ std::vector<float> valuesOf(
   return values;
 }
 
-std::vector<Place> placesOf(vtkDataSet* data)
+std::vector<Place> PlacesOf(vtkDataSet* data)
 {
   std::vector<Place> places(static_cast<std::size_t>(data->GetNumberOfPoints()));
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -217,7 +217,7 @@ private:
   vtkUnsignedCharArray* Points;
 };
 
-std::unique_ptr<SunMesh> sunMeshOf(
+std::unique_ptr<SunMesh> SunMeshOf(
   vtkDataSet* data, const HiddenCells& hidden, const std::vector<std::int32_t>& merged)
 {
   std::vector<SunMesh::Tetrahedron> tetrahedra;
@@ -237,18 +237,18 @@ std::unique_ptr<SunMesh> sunMeshOf(
 }
 }
 
-std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
+std::unique_ptr<SunPaths> SunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
   const std::vector<Fields>& fields, const Place& sun, bool repeats)
 {
   const Loop loop = [](std::int64_t count, const auto& body) {
-    inParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
+    InParallel(count, [&body](vtkIdType begin, vtkIdType end) { body(begin, end); });
   };
   const HiddenCells hidden(data);
   const bool mayCoincide = !repeats && !vtkImageData::SafeDownCast(data);
   std::vector<std::int32_t> merged =
-    mayCoincide ? mergedPoints(places) : std::vector<std::int32_t>();
-  std::vector<SunPoint> points = sunPoints(places, fields, merged, sun, loop);
-  const ChessboardGrid grid = findChessboardGrid(data);
+    mayCoincide ? MergedPoints(places) : std::vector<std::int32_t>();
+  std::vector<SunPoint> points = SunPoints(places, fields, merged, sun, loop);
+  const ChessboardGrid grid = FindChessboardGrid(data);
   if (!repeats && !hidden.HasAny() && EvenRays::Fits(grid, points))
   {
     return std::make_unique<EvenRays>(grid, points);
@@ -269,15 +269,15 @@ std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>&
     merged.resize(places.size());
     std::iota(merged.begin(), merged.end(), 0);
   }
-  std::unique_ptr<SunMesh> mesh = sunMeshOf(data, hidden, merged);
+  std::unique_ptr<SunMesh> mesh = SunMeshOf(data, hidden, merged);
   mesh->Turn(std::move(points));
   return mesh;
 }
 
-bool makeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
+bool MakeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
   LightGrid& grid, GridAxes& axes)
 {
-  const ChessboardGrid chessboard = findChessboardGrid(data);
+  const ChessboardGrid chessboard = FindChessboardGrid(data);
   if (chessboard.IsEmpty())
   {
     return false;
@@ -309,10 +309,10 @@ Place SampleFrame::FromPlace(const Place& place) const
 {
   if (!this->IsOnGlobe())
   {
-    return { { dot(this->Horizon[0], place), dot(this->Horizon[1], place),
-      dot(this->Horizon[2], place) } };
+    return { { Dot(this->Horizon[0], place), Dot(this->Horizon[1], place),
+      Dot(this->Horizon[2], place) } };
   }
-  const double r = std::sqrt(dot(place, place)), pi = vtkMath::Pi();
+  const double r = std::sqrt(Dot(place, place)), pi = vtkMath::Pi();
   const double longitude = std::atan2(place[1], place[0]) - this->Middle;
   return { { longitude - 2 * pi * std::round(longitude / (2 * pi)),
     r > 0 ? std::asin(std::max(-1.0, std::min(1.0, place[2] / r))) : 0, r } };

@@ -26,12 +26,12 @@ struct OpticalFields
 };
 
 /** Values of the array on points; `otherwise` where there is none. NaN and negative values become 0 and are counted. */
-std::vector<float> valuesOf(
+std::vector<float> ValuesOf(
   vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
 
-std::vector<Place> placesOf(vtkDataSet* data);
+std::vector<Place> PlacesOf(vtkDataSet* data);
 /** Ways to the sun; the fields are those that depths are integrals of. `repeats`: the data are the grid of a RepeatedGrid. */
-std::unique_ptr<SunPaths> sunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
+std::unique_ptr<SunPaths> SunPathsOf(vtkDataSet* data, const std::vector<Place>& places,
   const std::vector<Fields>& fields, const Place& sun, bool repeats = false);
 
 /** The points in the order of a LightGrid, and the axes of each: unit vectors along the indices. */
@@ -42,7 +42,7 @@ struct GridAxes
 };
 
 /** True for structured data; then the grid has sizes, steps and seam. */
-bool makeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
+bool MakeGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
   LightGrid& grid, GridAxes& axes);
 
 /** Coordinates whose third counts upwards: along the horizon of flat ground, or on a globe longitude and latitude in radians and the distance from the centre. */

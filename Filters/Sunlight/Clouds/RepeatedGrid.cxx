@@ -15,7 +15,7 @@ namespace nephoscope
 namespace
 {
 template <typename Body>
-void forPoints(const std::array<int, 3>& sizes, Body body)
+void ForPoints(const std::array<int, 3>& sizes, Body body)
 {
   for (std::array<int, 3> at{ { 0, 0, 0 } }; at[2] < sizes[2]; ++at[2])
   {
@@ -33,7 +33,7 @@ void forPoints(const std::array<int, 3>& sizes, Body body)
 RepeatedGrid::RepeatedGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
   const std::vector<float>& values, bool sidesMeet)
 {
-  const ChessboardGrid chessboard = findChessboardGrid(data);
+  const ChessboardGrid chessboard = FindChessboardGrid(data);
   if (chessboard.IsEmpty() || planet.Radius > 0)
   {
     return;
@@ -108,7 +108,7 @@ Place RepeatedGrid::Period(int axis, const std::vector<Place>& places) const
   {
     period = period + (end - places[this->Number(before)]);
   }
-  return period - dot(period, this->Up) * this->Up;
+  return period - Dot(period, this->Up) * this->Up;
 }
 
 void RepeatedGrid::Make(const std::vector<Place>& places)
@@ -122,7 +122,7 @@ void RepeatedGrid::Make(const std::vector<Place>& places)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   std::vector<std::size_t> firstCopy(places.size());
-  forPoints(extent, [&](const Index& at) {
+  ForPoints(extent, [&](const Index& at) {
     const std::size_t source = sourceOf(at);
     const int turns[2] = { at[0] / widths[0], at[1] / widths[1] };
     Place place = places[source];
@@ -135,7 +135,7 @@ void RepeatedGrid::Make(const std::vector<Place>& places)
     points->InsertNextPoint(place.data());
   });
   this->Numbers.resize(places.size());
-  forPoints(this->Sizes, [&](const Index& at) {
+  ForPoints(this->Sizes, [&](const Index& at) {
     this->Numbers[this->Order.NumberOf(this->Number(at))] =
       static_cast<std::int32_t>(firstCopy[sourceOf(at)]);
   });

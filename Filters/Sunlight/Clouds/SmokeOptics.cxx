@@ -24,7 +24,7 @@ namespace
 constexpr float smokeAlbedo = 0.9f, smokeAsymmetry = 0.6f;
 
 // Over the volume of the tetrahedra, which is all that vtkFlowVolume makes.
-double meanDensity(vtkDataSet* cells, vtkDataArray* density)
+double MeanDensity(vtkDataSet* cells, vtkDataArray* density)
 {
   double mass = 0, volume = 0, x[4][3];
   vtkNew<vtkIdList> ids;
@@ -47,14 +47,14 @@ double meanDensity(vtkDataSet* cells, vtkDataArray* density)
 }
 
 // In place of an array of the data that the smoke was made in.
-void addArray(vtkDataSet* data, int association, vtkFloatArray* array)
+void AddArray(vtkDataSet* data, int association, vtkFloatArray* array)
 {
   data->GetPointData()->RemoveArray(array->GetName());
   data->GetCellData()->RemoveArray(array->GetName());
   data->GetAttributes(association)->AddArray(array);
 }
 
-void addOnPoints(vtkDataSet* data, const std::string& name, float value)
+void AddOnPoints(vtkDataSet* data, const std::string& name, float value)
 {
   if (!name.empty() && name != "None")
   {
@@ -62,24 +62,24 @@ void addOnPoints(vtkDataSet* data, const std::string& name, float value)
     array->SetName(name.c_str());
     array->SetNumberOfTuples(data->GetNumberOfPoints());
     array->FillValue(value);
-    addArray(data, vtkDataObject::POINT, array);
+    AddArray(data, vtkDataObject::POINT, array);
   }
 }
 }
 
-bool addSmokeOptics(
+bool AddSmokeOptics(
   vtkDataSet* data, const std::string& albedoName, const std::string& asymmetryName)
 {
-  vtkDataArray* density = smokeDensity(data);
+  vtkDataArray* density = SmokeDensity(data);
   if (!density)
   {
     return false;
   }
-  const double width = diameterOfSmoke(boundsOfYoungSmoke(data, leastSmokeAge(data)));
-  const double initial = initialSmokeDensity(data);
+  const double width = DiameterOfSmoke(BoundsOfYoungSmoke(data, LeastSmokeAge(data)));
+  const double initial = InitialSmokeDensity(data);
   const double depth = (width > 0 ? width : data->GetLength() / 50) *
-    (initial > 0 ? initial : meanDensity(data, density));
-  vtkDataArray* visible = visibleSmoke(data);
+    (initial > 0 ? initial : MeanDensity(data, density));
+  vtkDataArray* visible = VisibleSmoke(data);
   vtkNew<vtkFloatArray> extinction;
   extinction->SetName(smokeExtinctionName);
   extinction->SetNumberOfTuples(visible->GetNumberOfTuples());
@@ -89,9 +89,9 @@ bool addSmokeOptics(
       i, static_cast<float>(depth > 0 ? visible->GetComponent(i, 0) / depth : 0));
   }
   const bool onCells = data->GetCellData()->GetArray(visible->GetName()) == visible;
-  addArray(data, onCells ? vtkDataObject::CELL : vtkDataObject::POINT, extinction);
-  addOnPoints(data, albedoName, smokeAlbedo);
-  addOnPoints(data, asymmetryName, smokeAsymmetry);
+  AddArray(data, onCells ? vtkDataObject::CELL : vtkDataObject::POINT, extinction);
+  AddOnPoints(data, albedoName, smokeAlbedo);
+  AddOnPoints(data, asymmetryName, smokeAsymmetry);
   return true;
 }
 }

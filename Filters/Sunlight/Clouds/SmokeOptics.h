@@ -18,7 +18,7 @@ constexpr const char* smokeExtinctionName = "SmokeExtinction";
  * mean density, has an optical depth of 1; and the albedo and asymmetry of fresh smoke of vegetation fires in green light (ReidEtAl2005), unless their
  * names are empty. Arrays of these names are replaced: they are those of the clouds that the smoke was made in. False if the data are no smoke.
  */
-bool addSmokeOptics(
+bool AddSmokeOptics(
   vtkDataSet* data, const std::string& albedoName, const std::string& asymmetryName);
 }
 

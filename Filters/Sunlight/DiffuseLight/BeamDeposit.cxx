@@ -7,7 +7,7 @@
 
 namespace nephoscope
 {
-double meanBeam(double from, double to)
+double MeanBeam(double from, double to)
 {
   const double way = std::abs(to - from);
   return std::exp(-std::min(from, to)) * (way < 1e-4 ? 1 - 0.5 * way : -std::expm1(-way) / way);
@@ -35,7 +35,7 @@ struct HalfWay
     const double to = from + share * (grid.Depth[there] - from);
     this->Depth = std::max(from, double(grid.Depth[there]));
     this->Beam = std::exp(-to);
-    this->Mean = meanBeam(from, to);
+    this->Mean = MeanBeam(from, to);
   }
   HalfWay() = default;
 };
@@ -127,7 +127,7 @@ struct RowSums
 }
 
 // Edges of shadows are counted twice where they cross thick cells: the whole is made what the clouds take.
-BeamDeposit beamDeposit(const LightGrid& grid, const Parallel& parallel)
+BeamDeposit FindBeamDeposit(const LightGrid& grid, const Parallel& parallel)
 {
   BeamDeposit deposit;
   deposit.InLayer.assign(grid.Points(), 0.0f);

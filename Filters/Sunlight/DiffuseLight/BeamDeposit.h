@@ -21,10 +21,10 @@ struct BeamDeposit
   std::vector<float>
     Beam; ///< its mean transmittance in the box around a point, by what it loses there
 };
-BeamDeposit beamDeposit(const LightGrid& grid, const Parallel& parallel);
+BeamDeposit FindBeamDeposit(const LightGrid& grid, const Parallel& parallel);
 
 /** The mean of a beam between two optical depths, exponential between them. */
-double meanBeam(double from, double to);
+double MeanBeam(double from, double to);
 }
 
 #endif

@@ -10,7 +10,7 @@ namespace nephoscope
 {
 namespace
 {
-double meanChange(const std::vector<float>& a, const std::vector<float>& b)
+double MeanChange(const std::vector<float>& a, const std::vector<float>& b)
 {
   double change = 0, whole = 1e-30;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -22,14 +22,14 @@ double meanChange(const std::vector<float>& a, const std::vector<float>& b)
 }
 }
 
-DiffuseLight diffuseLight(const LightGrid& grid, const LightSettings& settings,
+DiffuseLight FindDiffuseLight(const LightGrid& grid, const LightSettings& settings,
   const Parallel& parallel, const std::function<bool(double)>& progress)
 {
   DiffuseLight light;
-  const BeamDeposit deposit = beamDeposit(grid, parallel);
+  const BeamDeposit deposit = FindBeamDeposit(grid, parallel);
   LightBalance balance(grid, deposit, parallel);
   balance.Solve(nullptr, light.Field, 1e-2);
-  const std::vector<Direction> directions = directionSet(anglesFor(settings.Angles, grid.Points()));
+  const std::vector<Direction> directions = DirectionSet(AnglesFor(settings.Angles, grid.Points()));
   DirectionSweep sweep(grid, deposit.Beam, directions, parallel);
   DiffuseField ordinates;
   do
@@ -37,7 +37,7 @@ DiffuseLight diffuseLight(const LightGrid& grid, const LightSettings& settings,
     sweep.Run(light.Field, ordinates);
     const std::vector<float> before = light.Field.Fluence;
     balance.Solve(&ordinates, light.Field, 1e-2);
-    light.Change = meanChange(before, light.Field.Fluence);
+    light.Change = MeanChange(before, light.Field.Fluence);
     ++light.Iterations;
   } while (progress(double(light.Iterations) / settings.MostIterations) &&
     light.Change > settings.Tolerance && light.Iterations < settings.MostIterations);

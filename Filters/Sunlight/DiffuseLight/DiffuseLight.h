@@ -35,7 +35,7 @@ struct DiffuseLight
 };
 
 /** `progress` gets the share that is done, and says whether to go on. */
-DiffuseLight diffuseLight(const LightGrid& grid, const LightSettings& settings,
+DiffuseLight FindDiffuseLight(const LightGrid& grid, const LightSettings& settings,
   const Parallel& parallel, const std::function<bool(double)>& progress);
 }
 

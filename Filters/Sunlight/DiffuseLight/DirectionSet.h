@@ -23,7 +23,7 @@ struct AngleCounts
 };
 
 // Small grids get more directions: up to 120,000 points the light takes about 1 s of processor time.
-inline AngleCounts anglesFor(AngleCounts asked, std::size_t points)
+inline AngleCounts AnglesFor(AngleCounts asked, std::size_t points)
 {
   const AngleCounts automatic = points <= 20000 ? AngleCounts{ 6, 8 }
     : points <= 120000                          ? AngleCounts{ 4, 6 }
@@ -33,7 +33,7 @@ inline AngleCounts anglesFor(AngleCounts asked, std::size_t points)
 }
 
 // Nodes and weights on [0, 1] by Newton's method (AbramowitzStegun1964, 25.4.29).
-inline std::vector<std::pair<double, double>> gaussLegendre(int n)
+inline std::vector<std::pair<double, double>> GaussLegendre(int n)
 {
   std::vector<std::pair<double, double>> rule;
   for (int i = 0; i < n; ++i)
@@ -57,13 +57,13 @@ inline std::vector<std::pair<double, double>> gaussLegendre(int n)
 }
 
 // Cosines in each hemisphere, with a number of azimuth angles each; cosines with larger solid angles have twice as many. No direction is along an axis.
-inline std::vector<Direction> directionSet(AngleCounts angles)
+inline std::vector<Direction> DirectionSet(AngleCounts angles)
 {
   std::vector<Direction> directions;
   const double twoPi = 6.28318530717958647692;
   for (const double side : { 1.0, -1.0 })
   {
-    for (const auto& [mu, weight] : gaussLegendre(angles.Zenith))
+    for (const auto& [mu, weight] : GaussLegendre(angles.Zenith))
     {
       const double sine = std::sqrt(1 - mu * mu);
       const int count = weight * angles.Zenith > 1.2 ? 2 * angles.Azimuth : angles.Azimuth;

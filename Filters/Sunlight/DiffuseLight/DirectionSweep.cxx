@@ -89,7 +89,7 @@ void DirectionSweep::MakeBeams(const std::vector<float>& transmittance)
       for (std::size_t d = 0; d < phase.size(); ++d)
       {
         const Direction& to = this->Directions[d];
-        phase[d] = phaseOfTwo(
+        phase[d] = PhaseOfTwo(
           this->Grid.Asymmetry[p], this->Grid.Second[p], to.X * s[0] + to.Y * s[1] + to.Z * s[2]);
         sum += phase[d] * to.Weight;
       }
@@ -123,7 +123,7 @@ void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) cons
     const float forward = 3 * this->Grid.Asymmetry[p], second = 5 * this->Grid.Second[p],
                 tilt = 3 * second * cone.Z;
     cone.Even[q] = known.Fluence[p] + forward * cone.Z * flux[2] +
-      second * secondLegendre(cone.Z) * known.SecondMoment[p];
+      second * SecondLegendre(cone.Z) * known.SecondMoment[p];
     cone.Slopes[0][q] = forward * flux[0] + tilt * known.Tilt[p][0];
     cone.Slopes[1][q] = forward * flux[1] + tilt * known.Tilt[p][1];
     cone.Scale[q] = this->Grid.Extinction[p] * this->Grid.Albedo[p] / (4 * pi);
@@ -289,7 +289,7 @@ void DirectionSweep::Run(const DiffuseField& known, DiffuseField& found)
         found.Flux[p][0] += cone.X[p];
         found.Flux[p][1] += cone.Y[p];
         found.Flux[p][2] += cone.Z * cone.Fluence[p];
-        found.SecondMoment[p] += secondLegendre(cone.Z) * cone.Fluence[p];
+        found.SecondMoment[p] += SecondLegendre(cone.Z) * cone.Fluence[p];
         found.Tilt[p][0] += cone.Z * cone.X[p];
         found.Tilt[p][1] += cone.Z * cone.Y[p];
         found.Vertical[p] += std::abs(cone.Z) * cone.Fluence[p];

@@ -18,7 +18,7 @@ namespace nephoscope
 namespace
 {
 // A Henyey-Greenstein function has one asymmetry parameter for all: the mean of the extinction.
-double meanAsymmetry(const DirectionalSource& source)
+double MeanAsymmetry(const DirectionalSource& source)
 {
   double sum = 0, weights = 0;
   for (std::size_t p = 0; p < source.Extinction.size(); ++p)
@@ -31,7 +31,7 @@ double meanAsymmetry(const DirectionalSource& source)
 }
 }
 
-void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, PhaseKind kind)
+void AddDirectionalLight(vtkDataSet* data, const DirectionalSource& source, PhaseKind kind)
 {
   const vtkIdType count = data->GetNumberOfPoints();
   vtkNew<vtkFloatArray> single, flux, moment, phase;
@@ -43,7 +43,7 @@ void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, Phas
   flux->SetNumberOfTuples(count);
   moment->SetName("DiffuseSecondMoment");
   moment->SetNumberOfTuples(count);
-  inParallel(count, [&](vtkIdType begin, vtkIdType end) {
+  InParallel(count, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType p = begin; p < end; ++p)
     {
       const float shadow = source.Shadow.empty() ? 1.0f : source.Shadow[p];
@@ -55,7 +55,7 @@ void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, Phas
       moment->SetValue(p,
         source.SecondMoment.empty() ? 0.0f
                                     : 0.25f * source.Albedo[p] *
-            secondMomentFactor(source.Asymmetry[p]) * source.SecondMoment[p]);
+            SecondMomentFactor(source.Asymmetry[p]) * source.SecondMoment[p]);
       const float forward = 0.75f * source.Albedo[p] * source.Asymmetry[p];
       for (int c = 0; c < 3; ++c)
       {
@@ -64,7 +64,7 @@ void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, Phas
       }
     }
   });
-  const auto factors = phaseFactors(phaseTable(kind, meanAsymmetry(source)), source.Scales);
+  const auto factors = PhaseFactors(PhaseTable(kind, MeanAsymmetry(source)), source.Scales);
   phase->SetName("PhaseFunction");
   phase->SetNumberOfComponents(2);
   for (const std::array<float, 2>& pair : factors)

@@ -31,7 +31,7 @@ struct DirectionalSource
  * Adds point arrays to data that have Sunlight, the mean over all directions: SingleScattering (light straight from the sun; light that has been scattered
  * straight on before), DiffuseFlux and DiffuseSecondMoment; and the field array PhaseFunction, factors of the two from 0 to 180 degrees.
  */
-void addDirectionalLight(vtkDataSet* data, const DirectionalSource& source, PhaseKind kind);
+void AddDirectionalLight(vtkDataSet* data, const DirectionalSource& source, PhaseKind kind);
 }
 
 #endif

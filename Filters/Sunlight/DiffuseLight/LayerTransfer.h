@@ -29,7 +29,7 @@ struct LayerMedium
 };
 
 /** Here - There of LayerConductance: what a layer absorbs per fluence at each of its points, without the rounding errors of the difference. */
-inline double layerAbsorption(const LayerMedium& medium)
+inline double LayerAbsorption(const LayerMedium& medium)
 {
   const double x = medium.Decay(), d = 1 / (3 * medium.Transport() * std::max(medium.Depth, 1e-4));
   return d * x * std::tanh(0.5 * x);

@@ -15,12 +15,12 @@ constexpr double leastDepth =
   0.1; // of layers beside one another: clear air does not join points too firmly
 
 // Short characteristics are good for layers of a depth well below 1.
-float trustAt(double depth)
+float TrustAt(double depth)
 {
   return static_cast<float>(1 / (1 + 4 * depth * depth));
 }
 
-LayerMedium between(const LightGrid& grid, std::size_t p, std::size_t q, double length)
+LayerMedium Between(const LightGrid& grid, std::size_t p, std::size_t q, double length)
 {
   const double a = grid.Extinction[p], b = grid.Extinction[q];
   const double sa = a * grid.Albedo[p], sb = b * grid.Albedo[q];
@@ -88,14 +88,14 @@ double LightBalance::LayerDepth(std::size_t p) const
 {
   const std::size_t columns = this->Grid.Columns();
   const std::size_t below = p + columns < this->Grid.Points() ? p : p - columns;
-  return between(this->Grid, below, below + columns, this->Grid.Step[below][2]).Depth;
+  return Between(this->Grid, below, below + columns, this->Grid.Step[below][2]).Depth;
 }
 
 LightBalance::Edge LightBalance::MakeEdge(std::size_t p, std::size_t q, int axis) const
 {
   Edge edge;
-  LayerMedium medium = between(this->Grid, p, q, this->Grid.Step[p][axis]);
-  edge.Trust = trustAt(std::min(medium.Depth, 0.5 * (this->LayerDepth(p) + this->LayerDepth(q))));
+  LayerMedium medium = Between(this->Grid, p, q, this->Grid.Step[p][axis]);
+  edge.Trust = TrustAt(std::min(medium.Depth, 0.5 * (this->LayerDepth(p) + this->LayerDepth(q))));
   edge.Forward = static_cast<float>(1 - medium.Transport());
   if (axis == 2)
   {
@@ -126,7 +126,7 @@ void LightBalance::AddBeam(
     edge.Lost = static_cast<float>(lost - edge.First - edge.Second);
     return;
   }
-  const double a = this->Grid.Depth[p], b = this->Grid.Depth[q], mean = meanBeam(a, b);
+  const double a = this->Grid.Depth[p], b = this->Grid.Depth[q], mean = MeanBeam(a, b);
   edge.Second = static_cast<float>(
     edge.Area * (forward * mean + medium.Albedo * slant * (mean - std::exp(-0.5 * (a + b)))));
   edge.First = -edge.Second;
@@ -148,7 +148,7 @@ void LightBalance::MakeEdges()
         edge.Area = 0.5f * (edge.Area + static_cast<float>(this->AreaAt(q, at, axis)));
         edge.Here *= edge.Area;
         edge.There *= edge.Area;
-        this->AddBeam(edge, p, q, axis, between(this->Grid, p, q, this->Grid.Step[p][axis]));
+        this->AddBeam(edge, p, q, axis, Between(this->Grid, p, q, this->Grid.Step[p][axis]));
         this->Edges[axis][p] = edge;
       }
     });
@@ -416,8 +416,8 @@ std::vector<float> LightBalance::Absorption() const
     const std::size_t above = this->Grid.Columns();
     const auto half = [&](std::size_t q) {
       const Edge& e = this->Edges[2][q];
-      const LayerMedium medium = between(this->Grid, q, q + above, this->Grid.Step[q][2]);
-      return e.Area * layerAbsorption(medium) * this->Fluence[p] + 0.5 * e.Lost;
+      const LayerMedium medium = Between(this->Grid, q, q + above, this->Grid.Step[q][2]);
+      return e.Area * LayerAbsorption(medium) * this->Fluence[p] + 0.5 * e.Lost;
     };
     const double volume = this->AreaAt(p, at, 2) * this->WidthAt(p, at, 2);
     const double sum =

@@ -16,7 +16,7 @@ struct Crossing
 
 // Rest: the light that arrives. Along a row, what the point before adds comes later, by its factor. The source goes linearly from that upstream to that here.
 template <bool alongRow>
-void findPieces(int count, float slope, float slopeU, float slopeV, const float* rate,
+void FindPieces(int count, float slope, float slopeU, float slopeV, const float* rate,
   const float* rateU, const float* rateV, const float* e0, const float* e1, const float* e2,
   const float* e3, const float* s0, const float* s1, const float* s2, const float* s3,
   const float* r0, const float* r1, const float* r2, const float* r3, const float* extinction,
@@ -31,7 +31,7 @@ void findPieces(int count, float slope, float slopeU, float slopeV, const float*
     const float here = extinction[i], there = w0 * e0[i] + w1 * e1[i] + w2 * e2[i] + w3 * e3[i];
     const float source = w0 * s0[i] + w1 * s1[i] + w2 * s2[i] + w3 * s3[i];
     const float light = w1 * r1[i] + w2 * r2[i] + w3 * r3[i];
-    const float t = 0.5f * (here + there) * length, thick = expOfMinus(t);
+    const float t = 0.5f * (here + there) * length, thick = ExpOfMinus(t);
     const float thinMean = 1 - t * (0.5f - t * (1.0f / 6 - t * (1.0f / 24 - t / 120)));
     const float thickMean = (1 - thick) / std::max(t, 0.1f), thin = 1 - t * thinMean;
     const float mean = t < 0.1f ? thinMean : thickMean, transmittance = t < 0.1f ? thin : thick;
@@ -46,11 +46,11 @@ void findPieces(int count, float slope, float slopeU, float slopeV, const float*
 }
 
 template <bool alongRow>
-void findPiecesFrom(
+void FindPiecesFrom(
   int first, int count, const Crossing& c, const SweepRow& here, float* factor, float* rest)
 {
   const SweepRow(&f)[4] = c.From;
-  findPieces<alongRow>(count, c.Slope, c.SlopeU, c.SlopeV, c.Rate + first, c.RateU + first,
+  FindPieces<alongRow>(count, c.Slope, c.SlopeU, c.SlopeV, c.Rate + first, c.RateU + first,
     c.RateV + first, f[0].Extinction + first, f[1].Extinction + first, f[2].Extinction + first,
     f[3].Extinction + first, f[0].Emission + first, f[1].Emission + first, f[2].Emission + first,
     f[3].Emission + first, f[0].Radiance + first, f[1].Radiance + first, f[2].Radiance + first,
@@ -94,7 +94,7 @@ void RowSweep::Run(int first, int count, int forward, std::ptrdiff_t upstream)
       this->Slopes[u], this->Slopes[v],
       { points[upstreamOf[axis][0]], points[upstreamOf[axis][1]], points[upstreamOf[axis][2]],
         points[upstreamOf[axis][3]] } };
-    (axis == 0 ? findPiecesFrom<true> : findPiecesFrom<false>)(least, same, crossing, this->Here,
+    (axis == 0 ? FindPiecesFrom<true> : FindPiecesFrom<false>)(least, same, crossing, this->Here,
       this->Factor.data(), this->Rest.data());
     float* radiance = this->Here.Radiance;
     for (int n = 0, i = start; n < same; ++n, i += forward)

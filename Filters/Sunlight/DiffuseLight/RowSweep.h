@@ -17,7 +17,7 @@
 namespace nephoscope
 {
 /** exp(-x) for x >= 0, to 2e-7 of 1. */
-inline float expOfMinus(float x)
+inline float ExpOfMinus(float x)
 {
   const float power = (x < 87.0f ? x : 87.0f) * -1.44269504f,
               whole = (power + 12582912.0f) - 12582912.0f;

@@ -79,7 +79,7 @@ private:
   static int OwnNumber()
   {
     int number = 1;
-    withThreads([&number]() { number = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+    WithThreads([&number]() { number = vtkSMPTools::GetEstimatedNumberOfThreads(); });
     return number;
   }
 

@@ -11,7 +11,7 @@ namespace nephoscope
 {
 // HenyeyGreenstein1941: `cosine` is that of the angle between the directions in which light goes before and after.
 template <typename Real>
-Real henyeyGreenstein(Real asymmetry, Real cosine)
+Real HenyeyGreenstein(Real asymmetry, Real cosine)
 {
   const Real d = 1 + asymmetry * asymmetry - 2 * asymmetry * cosine;
   return (1 - asymmetry * asymmetry) / (d * std::sqrt(d));
@@ -25,20 +25,20 @@ struct ScaledMedium
 
 /** That of a Henyey-Greenstein function, for light of a second moment 1. */
 template <typename Number>
-inline Number secondMomentFactor(Number asymmetry)
+inline Number SecondMomentFactor(Number asymmetry)
 {
   return 5 * asymmetry * asymmetry;
 }
 
 /** The Legendre polynomial P2. */
 template <typename Number>
-inline Number secondLegendre(Number x)
+inline Number SecondLegendre(Number x)
 {
   return (3 * x * x - 1) / 2;
 }
 
 /** Without the share `forward` of the scattered light, which goes straight on and is taken as not scattered (Wiscombe1977). */
-inline ScaledMedium scaled(double extinction, double albedo, double asymmetry, double forward)
+inline ScaledMedium Scaled(double extinction, double albedo, double asymmetry, double forward)
 {
   const double rest = 1 - forward;
   return { (1 - albedo * forward) * extinction, rest * albedo / (1 - albedo * forward),
@@ -46,15 +46,15 @@ inline ScaledMedium scaled(double extinction, double albedo, double asymmetry, d
 }
 
 /** JosephWiscombeWeinman1976: the share is g^2. */
-inline ScaledMedium scaled(double extinction, double albedo, double asymmetry)
+inline ScaledMedium Scaled(double extinction, double albedo, double asymmetry)
 {
-  return scaled(extinction, albedo, asymmetry, asymmetry * asymmetry);
+  return Scaled(extinction, albedo, asymmetry, asymmetry * asymmetry);
 }
 
 /** The phase function of two Legendre coefficients, not below 0. */
-inline float phaseOfTwo(float first, float second, float cosine)
+inline float PhaseOfTwo(float first, float second, float cosine)
 {
-  return std::max(1 + 3 * first * cosine + 5 * second * secondLegendre(cosine), 0.0f);
+  return std::max(1 + 3 * first * cosine + 5 * second * SecondLegendre(cosine), 0.0f);
 }
 
 /**
@@ -62,7 +62,7 @@ inline float phaseOfTwo(float first, float second, float cosine)
  * `smooth`, that of the scaled medium, and the one that makes double scattering exact. `once` and `twice` are the phase functions of light scattered once and twice;
  * `smoothTwice` is that of two scatterings in the scaled medium.
  */
-inline double afterForwardScattering(
+inline double AfterForwardScattering(
   double once, double twice, double smooth, double smoothTwice, double forward)
 {
   const double rest = 1 - forward;
@@ -73,12 +73,12 @@ inline double afterForwardScattering(
 }
 
 /** The same for a Henyey-Greenstein function. For light scattered twice, the asymmetry parameter is squared. */
-inline double afterForwardScattering(double asymmetry, double cosine)
+inline double AfterForwardScattering(double asymmetry, double cosine)
 {
   const double forward = asymmetry * asymmetry, scaled = asymmetry / (1 + asymmetry);
-  return afterForwardScattering(henyeyGreenstein(asymmetry, cosine),
-    henyeyGreenstein(forward, cosine), henyeyGreenstein(scaled, cosine),
-    henyeyGreenstein(scaled * scaled, cosine), forward);
+  return AfterForwardScattering(HenyeyGreenstein(asymmetry, cosine),
+    HenyeyGreenstein(forward, cosine), HenyeyGreenstein(scaled, cosine),
+    HenyeyGreenstein(scaled * scaled, cosine), forward);
 }
 }
 

@@ -22,7 +22,7 @@ enum class PhaseKind
 };
 
 /** P(cosine) of each kind, with the mean 1 over the sphere; `asymmetry` is that of a Henyey-Greenstein function. */
-inline std::vector<double> phaseTable(PhaseKind kind, double asymmetry)
+inline std::vector<double> PhaseTable(PhaseKind kind, double asymmetry)
 {
   if (kind == PhaseKind::CloudDroplets)
   {
@@ -34,15 +34,15 @@ inline std::vector<double> phaseTable(PhaseKind kind, double asymmetry)
   {
     const double cosine = std::cos(3.14159265358979323846 * double(i) / steps);
     table[i] = kind == PhaseKind::HenyeyGreenstein
-      ? henyeyGreenstein(asymmetry, cosine)
-      : dropletForwardShare * henyeyGreenstein(dropletForward, cosine) +
-        (1 - dropletForwardShare) * henyeyGreenstein(dropletBackward, cosine);
+      ? HenyeyGreenstein(asymmetry, cosine)
+      : dropletForwardShare * HenyeyGreenstein(dropletForward, cosine) +
+        (1 - dropletForwardShare) * HenyeyGreenstein(dropletBackward, cosine);
   }
   return table;
 }
 
 /** The mean cosine of the scattering angle, by the trapezoidal rule. */
-inline double asymmetryOf(const std::vector<double>& table)
+inline double AsymmetryOf(const std::vector<double>& table)
 {
   double sum = 0, weights = 0;
   const double step = 3.14159265358979323846 / double(table.size() - 1);
@@ -57,7 +57,7 @@ inline double asymmetryOf(const std::vector<double>& table)
 }
 
 /** The phase function of light scattered twice: its Legendre coefficients are the squares of those of `table`. */
-inline std::vector<double> scatteredTwice(const std::vector<double>& table)
+inline std::vector<double> ScatteredTwice(const std::vector<double>& table)
 {
   const std::size_t size = table.size(), terms = (size + 1) / 2;
   const double step = 3.14159265358979323846 / double(size - 1);
@@ -87,21 +87,21 @@ inline std::vector<double> scatteredTwice(const std::vector<double>& table)
 }
 
 /**
- * The factors by which a mapper multiplies single scattering: P / (1 - f) for light straight from the sun, and afterForwardScattering() for light that has been
+ * The factors by which a mapper multiplies single scattering: P / (1 - f) for light straight from the sun, and AfterForwardScattering() for light that has been
  * scattered into the forward peak before (PhaseFunction.h). Without scaling, f is 0.
  */
-inline std::vector<std::array<float, 2>> phaseFactors(const std::vector<double>& table, bool scales)
+inline std::vector<std::array<float, 2>> PhaseFactors(const std::vector<double>& table, bool scales)
 {
-  const double asymmetry = asymmetryOf(table), forward = scales ? asymmetry * asymmetry : 0.0,
+  const double asymmetry = AsymmetryOf(table), forward = scales ? asymmetry * asymmetry : 0.0,
                scaled = asymmetry / (1 + asymmetry);
-  const std::vector<double> twice = scatteredTwice(table);
+  const std::vector<double> twice = ScatteredTwice(table);
   std::vector<std::array<float, 2>> factors(table.size());
   for (std::size_t i = 0; i < table.size(); ++i)
   {
     const double cosine = std::cos(3.14159265358979323846 * double(i) / double(table.size() - 1));
     factors[i] = { { static_cast<float>(table[i] / (1 - forward)),
-      static_cast<float>(afterForwardScattering(table[i], twice[i],
-        henyeyGreenstein(scaled, cosine), henyeyGreenstein(scaled * scaled, cosine), forward)) } };
+      static_cast<float>(AfterForwardScattering(table[i], twice[i],
+        HenyeyGreenstein(scaled, cosine), HenyeyGreenstein(scaled * scaled, cosine), forward)) } };
   }
   return factors;
 }

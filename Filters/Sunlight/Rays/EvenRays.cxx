@@ -12,14 +12,14 @@ namespace nephoscope
 {
 namespace
 {
-Place between(const SunPoint& a, const SunPoint& b, double scale = 1)
+Place Between(const SunPoint& a, const SunPoint& b, double scale = 1)
 {
   return { { scale * (b.X - a.X), scale * (b.Y - a.Y), scale * (b.Z - a.Z) } };
 }
 
-double lengthOf(const Place& v)
+double LengthOf(const Place& v)
 {
-  return std::sqrt(dot(v, v));
+  return std::sqrt(Dot(v, v));
 }
 
 // The points of an even grid: the first one of each level, and the steps along both axes.
@@ -31,8 +31,8 @@ struct Lattice
   Lattice(const ChessboardGrid& grid, const std::vector<SunPoint>& points)
   {
     const int nx = grid.Size[0], ny = grid.Size[1];
-    this->Steps[0] = between(points[0], points[grid.PointNumber(nx - 1, 0, 0)], 1.0 / (nx - 1));
-    this->Steps[1] = between(points[0], points[grid.PointNumber(0, ny - 1, 0)], 1.0 / (ny - 1));
+    this->Steps[0] = Between(points[0], points[grid.PointNumber(nx - 1, 0, 0)], 1.0 / (nx - 1));
+    this->Steps[1] = Between(points[0], points[grid.PointNumber(0, ny - 1, 0)], 1.0 / (ny - 1));
     for (int k = 0; k < grid.Size[2]; ++k)
     {
       this->Levels.push_back(points[grid.PointNumber(0, 0, k)]);
@@ -42,27 +42,27 @@ struct Lattice
   // Volume of a cell, positive or negative.
   double Volume(int layer) const
   {
-    return dot(
-      cross(this->Steps[0], this->Steps[1]), between(this->Levels[layer], this->Levels[layer + 1]));
+    return Dot(
+      Cross(this->Steps[0], this->Steps[1]), Between(this->Levels[layer], this->Levels[layer + 1]));
   }
 
   double ShortestStep() const
   {
-    double shortest = std::min(lengthOf(this->Steps[0]), lengthOf(this->Steps[1]));
+    double shortest = std::min(LengthOf(this->Steps[0]), LengthOf(this->Steps[1]));
     for (std::size_t k = 1; k < this->Levels.size(); ++k)
     {
-      shortest = std::min(shortest, lengthOf(between(this->Levels[k - 1], this->Levels[k])));
+      shortest = std::min(shortest, LengthOf(Between(this->Levels[k - 1], this->Levels[k])));
     }
     return shortest;
   }
 
   bool IsRegular() const
   {
-    const double area = lengthOf(cross(this->Steps[0], this->Steps[1]));
-    bool isRegular = area > 1e-6 * lengthOf(this->Steps[0]) * lengthOf(this->Steps[1]);
+    const double area = LengthOf(Cross(this->Steps[0], this->Steps[1]));
+    bool isRegular = area > 1e-6 * LengthOf(this->Steps[0]) * LengthOf(this->Steps[1]);
     for (int k = 0; k + 1 < int(this->Levels.size()); ++k)
     {
-      const double height = lengthOf(between(this->Levels[k], this->Levels[k + 1]));
+      const double height = LengthOf(Between(this->Levels[k], this->Levels[k + 1]));
       isRegular = isRegular && std::abs(this->Volume(k)) > 1e-6 * area * height &&
         (this->Volume(k) > 0) == (this->Volume(0) > 0);
     }
@@ -73,14 +73,14 @@ struct Lattice
   Place Slope(int layer) const
   {
     const Place &a = this->Steps[0], &b = this->Steps[1],
-                c = between(this->Levels[layer], this->Levels[layer + 1]);
+                c = Between(this->Levels[layer], this->Levels[layer + 1]);
     const double volume = this->Volume(layer);
-    return { { cross(b, c)[2] / volume, cross(c, a)[2] / volume, cross(a, b)[2] / volume } };
+    return { { Cross(b, c)[2] / volume, Cross(c, a)[2] / volume, Cross(a, b)[2] / volume } };
   }
 };
 
 template <typename Body>
-void forRows(const ChessboardGrid& grid, Body body)
+void ForRows(const ChessboardGrid& grid, Body body)
 {
   for (int k = 0; k < grid.Size[2]; ++k)
   {
@@ -92,7 +92,7 @@ void forRows(const ChessboardGrid& grid, Body body)
 }
 
 // Adds the integral from where the rays are to a face.
-void addStretch(int count, const float* const (&rows)[4], const float (&weights)[4], float half,
+void AddStretch(int count, const float* const (&rows)[4], const float (&weights)[4], float half,
   float* __restrict values, double* __restrict depths)
 {
   const float *a = rows[0], *b = rows[1], *c = rows[2], *d = rows[3];
@@ -120,7 +120,7 @@ bool EvenRays::Fits(const ChessboardGrid& grid, const std::vector<SunPoint>& poi
   const double tolerance = 1e-4 * lattice.ShortestStep();
   const Place &a = lattice.Steps[0], &b = lattice.Steps[1];
   bool fits = true;
-  forRows(grid, [&](int j, int k, std::int64_t first) {
+  ForRows(grid, [&](int j, int k, std::int64_t first) {
     const SunPoint& level = lattice.Levels[k];
     for (int i = 0; i < grid.Size[0] && fits; ++i)
     {
@@ -158,7 +158,7 @@ void EvenRays::SortFields(const std::vector<SunPoint>& points)
   this->Fields[1] = this->Fields[0];
   this->IsClear.assign(rows, 1);
   this->CloudyLevels = { { this->Grid.Size[2], -1 } };
-  forRows(this->Grid, [&](int j, int k, std::int64_t first) {
+  ForRows(this->Grid, [&](int j, int k, std::int64_t first) {
     for (int i = 0; i < this->Grid.Size[0]; ++i)
     {
       const std::size_t row = this->RowNumber(i % 2, j, k);
@@ -348,7 +348,7 @@ void EvenRays::Follow(const std::vector<Face>& faces, Span& span) const
       {
         rows[v] = this->Fields[field].data() + (weights[v] > 0 ? starts[v] : starts[0]) + low;
       }
-      addStretch(high - low + 1, rows, weights, faces[n].Half, &span.Values[field][low],
+      AddStretch(high - low + 1, rows, weights, faces[n].Half, &span.Values[field][low],
         &span.Depths[field][low]);
     }
     wasClear = isClear;

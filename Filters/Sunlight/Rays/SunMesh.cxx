@@ -25,14 +25,14 @@ struct Face
 constexpr std::int32_t none = -1;
 
 // Whether the sun sees the point in front of the face.
-bool isAbove(const SunPoint& point, const SunPoint& a, const SunPoint& b, const SunPoint& c)
+bool IsAbove(const SunPoint& point, const SunPoint& a, const SunPoint& b, const SunPoint& c)
 {
   const Place u{ { b.X - a.X, b.Y - a.Y, b.Z - a.Z } }, v{ { c.X - a.X, c.Y - a.Y, c.Z - a.Z } },
-    normal = cross(u, v);
-  return normal[2] * dot(normal, Place{ { point.X - a.X, point.Y - a.Y, point.Z - a.Z } }) > 0;
+    normal = Cross(u, v);
+  return normal[2] * Dot(normal, Place{ { point.X - a.X, point.Y - a.Y, point.Z - a.Z } }) > 0;
 }
 
-Face faceOf(const SunMesh::Tetrahedron& t, std::int32_t number, int vertex)
+Face FaceOf(const SunMesh::Tetrahedron& t, std::int32_t number, int vertex)
 {
   Face face{ { t[(vertex + 1) % 4], t[(vertex + 2) % 4], t[(vertex + 3) % 4] }, number, vertex };
   std::sort(face.Points.begin(), face.Points.end());
@@ -67,7 +67,7 @@ void SunMesh::FindNeighbours(std::size_t numberOfPoints)
     {
       if (!this->IsFlat(t))
       {
-        found.push_back(faceOf(this->Tetrahedra[t], static_cast<std::int32_t>(t), v));
+        found.push_back(FaceOf(this->Tetrahedra[t], static_cast<std::int32_t>(t), v));
       }
     }
   }
@@ -148,7 +148,7 @@ std::vector<EntryFaces::Face> SunMesh::FacesFromBelow() const
       const EntryFaces::Face face{ { { t[(v + 1) % 4], t[(v + 2) % 4], t[(v + 3) % 4] } },
         static_cast<std::int32_t>(number) };
       if (this->Neighbours[number][v] == none && !this->IsFlat(number) &&
-        isAbove(this->Points[t[v]], this->Points[face.Points[0]], this->Points[face.Points[1]],
+        IsAbove(this->Points[t[v]], this->Points[face.Points[0]], this->Points[face.Points[1]],
           this->Points[face.Points[2]]))
       {
         faces.push_back(face);

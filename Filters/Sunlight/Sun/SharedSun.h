@@ -20,7 +20,7 @@ struct SharedSun
   std::array<double, 3> DirectionOnGlobe = { { 0, 0, 0 } };
 };
 
-inline void writeSun(const SharedSun& sun, vtkDataObject* data)
+inline void WriteSun(const SharedSun& sun, vtkDataObject* data)
 {
   const auto add = [data](const char* name, const std::array<double, 3>& direction) {
     vtkNew<vtkDoubleArray> array;
@@ -34,7 +34,7 @@ inline void writeSun(const SharedSun& sun, vtkDataObject* data)
 }
 
 /** False: the data have no sun. */
-inline bool readSun(vtkDataObject* data, SharedSun& sun)
+inline bool ReadSun(vtkDataObject* data, SharedSun& sun)
 {
   const auto take = [data](const char* name, std::array<double, 3>& direction) {
     vtkDataArray* array = data ? data->GetFieldData()->GetArray(name) : nullptr;

@@ -17,7 +17,7 @@ struct SubsolarPoint
   double Longitude = 0, Latitude = 0; // degrees
 };
 
-inline int daysOfMonth(int year, int month)
+inline int DaysOfMonth(int year, int month)
 {
   const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
   constexpr int days[12] = { 31, 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31 };
@@ -25,7 +25,7 @@ inline int daysOfMonth(int year, int month)
 }
 
 // Minutes east of UTC of "", "Z", " UTC", "+02:00", "-0500" or "+02"; false if it is none.
-inline bool offsetOf(const std::string& text, int& minutes)
+inline bool OffsetOf(const std::string& text, int& minutes)
 {
   minutes = 0;
   const std::string zone = text.substr(std::min(text.find_first_not_of(' '), text.size()));
@@ -44,7 +44,7 @@ inline bool offsetOf(const std::string& text, int& minutes)
 }
 
 // Days since 2000-01-01 12:00 UTC of "2011-10-11 18:30", "2011-10-11T18:30:00Z", "2011-10-11 20:30+02:00" or "2011-10-11"; false if it is none.
-inline bool daysOf(const std::string& text, double& days)
+inline bool DaysOf(const std::string& text, double& days)
 {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, east = 0, end = 0;
   double second = 0;
@@ -53,8 +53,8 @@ inline bool daysOf(const std::string& text, double& days)
     &end, &separator, &hour, &minute, &end, &second, &end);
   const bool hasTime = found >= 6 && (separator == ' ' || separator == 'T');
   const bool valid = (found == 3 || hasTime) && month >= 1 && month <= 12 && day >= 1 &&
-    day <= daysOfMonth(year, month) && hour >= 0 && hour < 25 && minute >= 0 && minute < 60 &&
-    second >= 0 && second < 61 && offsetOf(text.substr(end), east);
+    day <= DaysOfMonth(year, month) && hour >= 0 && hour < 25 && minute >= 0 && minute < 60 &&
+    second >= 0 && second < 61 && OffsetOf(text.substr(end), east);
   if (!valid)
   {
     return false;
@@ -65,7 +65,7 @@ inline bool daysOf(const std::string& text, double& days)
   return true;
 }
 
-inline SubsolarPoint subsolarPoint(double days)
+inline SubsolarPoint FindSubsolarPoint(double days)
 {
   const double degree = 3.14159265358979323846 / 180;
   const double meanLongitude = 280.460 + 0.9856474 * days;
@@ -81,7 +81,7 @@ inline SubsolarPoint subsolarPoint(double days)
 }
 
 // Towards the sun, in the frame of a globe: x to longitude 0 on the equator, z to the north pole.
-inline std::array<double, 3> towardsSunOnGlobe(const SubsolarPoint& sun)
+inline std::array<double, 3> TowardsSunOnGlobe(const SubsolarPoint& sun)
 {
   const double degree = 3.14159265358979323846 / 180;
   const double lon = sun.Longitude * degree, lat = sun.Latitude * degree;
@@ -89,11 +89,11 @@ inline std::array<double, 3> towardsSunOnGlobe(const SubsolarPoint& sun)
 }
 
 // Direction towards the sun at a position: east, north and up components.
-inline std::array<double, 3> towardsSunAt(
+inline std::array<double, 3> TowardsSunAt(
   const SubsolarPoint& sun, double longitude, double latitude)
 {
   const double degree = 3.14159265358979323846 / 180;
-  const auto s = towardsSunOnGlobe(sun);
+  const auto s = TowardsSunOnGlobe(sun);
   const double lon = longitude * degree, lat = latitude * degree;
   const double east = -std::sin(lon) * s[0] + std::cos(lon) * s[1];
   const double out = std::cos(lon) * s[0] + std::sin(lon) * s[1];

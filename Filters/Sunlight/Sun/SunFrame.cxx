@@ -10,19 +10,19 @@
 
 namespace nephoscope
 {
-std::vector<SunPoint> sunPoints(const std::vector<Place>& places, const std::vector<Fields>& fields,
+std::vector<SunPoint> SunPoints(const std::vector<Place>& places, const std::vector<Fields>& fields,
   const std::vector<std::int32_t>& merged, const Place& towardsSun, const Loop& loop)
 {
   const Place helper = std::abs(towardsSun[2]) < 0.9 ? Place{ { 0, 0, 1 } } : Place{ { 1, 0, 0 } };
-  Place x = cross(helper, towardsSun);
-  x = (1 / std::sqrt(dot(x, x))) * x;
-  const Place y = cross(towardsSun, x);
+  Place x = Cross(helper, towardsSun);
+  x = (1 / std::sqrt(Dot(x, x))) * x;
+  const Place y = Cross(towardsSun, x);
   std::vector<SunPoint> points(places.size());
   loop(static_cast<std::int64_t>(places.size()), [&](std::int64_t begin, std::int64_t end) {
     for (std::int64_t i = begin; i < end; ++i)
     {
       const std::size_t p = merged.empty() ? i : merged[i];
-      points[i] = { dot(places[p], x), dot(places[p], y), dot(places[p], towardsSun), fields[p] };
+      points[i] = { Dot(places[p], x), Dot(places[p], y), Dot(places[p], towardsSun), fields[p] };
     }
   });
   return points;
@@ -94,7 +94,7 @@ void LastClouds::Raise(const SunBox& box)
   }
 }
 
-std::vector<std::int32_t> mergedPoints(const std::vector<Place>& places)
+std::vector<std::int32_t> MergedPoints(const std::vector<Place>& places)
 {
   constexpr std::int32_t none = -1;
   double largest = 0;

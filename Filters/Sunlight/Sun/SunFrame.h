@@ -30,7 +30,7 @@ struct SunPoint
 };
 
 /** The points in the frame of a sun in this direction, of length 1. Coincident points, whose numbers in `merged` are equal, have the values of one of them. */
-std::vector<SunPoint> sunPoints(const std::vector<Place>& places, const std::vector<Fields>& fields,
+std::vector<SunPoint> SunPoints(const std::vector<Place>& places, const std::vector<Fields>& fields,
   const std::vector<std::int32_t>& merged, const Place& towardsSun, const Loop& loop);
 
 struct SunBox
@@ -105,7 +105,7 @@ public:
 };
 
 /** Point numbers that are equal for coincident points: seams and poles. */
-std::vector<std::int32_t> mergedPoints(const std::vector<Place>& places);
+std::vector<std::int32_t> MergedPoints(const std::vector<Place>& places);
 }
 
 #endif

@@ -29,16 +29,16 @@ constexpr double ON_AXIS =
 constexpr vtkIdType JOB_SIZE = 2048;
 
 template <typename Function>
-void InParallel(std::size_t count, const Function& function)
+void InParallelJobs(std::size_t count, const Function& function)
 {
-  inParallel(static_cast<vtkIdType>(count), function, JOB_SIZE);
+  InParallel(static_cast<vtkIdType>(count), function, JOB_SIZE);
 }
 
 void BlendFloats(
   const std::vector<float>& a, const std::vector<float>& b, float w, std::vector<float>& mixed)
 {
   mixed.resize(a.size());
-  InParallel(a.size(), [&](vtkIdType begin, vtkIdType end) {
+  InParallelJobs(a.size(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       const auto at = static_cast<std::size_t>(i);
@@ -61,7 +61,7 @@ void BlendWinds(
 {
   const auto w = static_cast<float>(fraction);
   mixed.Vectors.resize(a.Vectors.size());
-  InParallel(a.Vectors.size(), [&](vtkIdType begin, vtkIdType end) {
+  InParallelJobs(a.Vectors.size(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       const WindVector& p = a.Vectors[static_cast<std::size_t>(i)];
@@ -155,7 +155,7 @@ std::unique_ptr<WindField> GlobeFlow::MakeField(
 template <typename Function>
 void GlobeFlow::ForEachParcel(const Function& function)
 {
-  InParallel(this->Parcels.size(), [&](vtkIdType begin, vtkIdType end) {
+  InParallelJobs(this->Parcels.size(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
       function(static_cast<std::size_t>(i), this->Parcels[static_cast<std::size_t>(i)]);
@@ -234,7 +234,7 @@ void GlobeFlow::Advance(const FlowStep& step)
   winds.End =
     this->Settings.Method == PathMethod::Euler ? winds.Begin : this->WindsAt(step, step.ToFraction);
   const GlobeStepper stepper(this->Shape.Columns(), this->Shape.Levels(), this->Settings);
-  InParallel(this->Parcels.size(), [&](vtkIdType begin, vtkIdType end) {
+  InParallelJobs(this->Parcels.size(), [&](vtkIdType begin, vtkIdType end) {
     AdvanceParcels(
       stepper, this->Parcels.data() + begin, static_cast<std::size_t>(end - begin), winds);
   });

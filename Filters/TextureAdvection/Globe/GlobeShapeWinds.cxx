@@ -96,9 +96,9 @@ GlobeWinds GlobeShape::MakeWinds(const GlobeInput& input, std::int64_t& missing)
     }
     unknown += found;
   };
-  inParallel(static_cast<vtkIdType>(this->Size[1]) * this->Size[2], read);
+  InParallel(static_cast<vtkIdType>(this->Size[1]) * this->Size[2], read);
   missing = unknown;
-  inParallel(this->Size[1], [&](vtkIdType begin, vtkIdType end) {
+  InParallel(this->Size[1], [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType j = begin; j < end; ++j)
     {
       for (int i = 0; i < this->Size[0]; ++i)

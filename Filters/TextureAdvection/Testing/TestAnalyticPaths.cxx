@@ -112,7 +112,7 @@ double Worst(const Flow& flow, const std::vector<Vector3>& points, double time, 
   double worst = 0.0;
   for (const Vector3& p : points)
   {
-    worst = std::max(worst, distance(Follow(flow, p, time, 0.0, steps, method), exact(p)));
+    worst = std::max(worst, Distance(Follow(flow, p, time, 0.0, steps, method), exact(p)));
   }
   return worst;
 }
@@ -154,7 +154,7 @@ TEST(AnalyticPaths, ATurnInTwentyFourSteps)
   const Vector3 euler = Follow(flow, start, 0.0, TURN, 24, IntegrationMethod::Euler);
   EXPECT_NEAR(std::hypot(euler[0], euler[1]) / 2.2155631920333207, 1.0, 1e-9);
   const Vector3 runge = Follow(flow, start, 0.0, TURN, 24, IntegrationMethod::RungeKutta4);
-  EXPECT_NEAR(distance(runge, start) / 0.00024579146521042767, 1.0, 1e-6);
+  EXPECT_NEAR(Distance(runge, start) / 0.00024579146521042767, 1.0, 1e-6);
 }
 
 TEST(AnalyticPaths, RotationOfTheUnitSquare)
@@ -198,8 +198,8 @@ TEST(AnalyticPaths, DoubleGyre)
   };
   EXPECT_NEAR(at(1.0, 0.25)[0] / 0.47328081941716577, 1.0, 1e-6);
   EXPECT_NEAR(at(1.0, 0.25)[1] / 0.3195194348064797, 1.0, 1e-6);
-  EXPECT_LT(distance(at(0.5, 0.5), { 0.05055053, 0.11102015, 0.0 }), 2e-8);
-  EXPECT_LT(distance(at(1.5, 0.25), { 1.26834471, 0.35072684, 0.0 }), 2e-8);
+  EXPECT_LT(Distance(at(0.5, 0.5), { 0.05055053, 0.11102015, 0.0 }), 2e-8);
+  EXPECT_LT(Distance(at(1.5, 0.25), { 1.26834471, 0.35072684, 0.0 }), 2e-8);
   const std::vector<Vector3> points = { { 0.4, 0.3, 0.0 }, { 1.2, 0.6, 0.0 }, { 1.7, 0.4, 0.0 } };
   CheckOrders(DoubleGyre, points, 10.0, 100, 1e-4, ManySteps(DoubleGyre, 10.0, 4000));
 }

@@ -173,6 +173,6 @@ void InterpolateArrays(vtkPointData* input, std::size_t count, vtkPointData* out
     work(0, pairs.empty() ? 0 : batches);
     return;
   }
-  inParallel(batches, work, 1);
+  InParallel(batches, work, 1);
 }
 }

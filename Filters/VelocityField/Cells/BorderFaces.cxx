@@ -31,7 +31,7 @@ public:
 
   void AddCell(vtkIdType cell)
   {
-    const FaceList<int> faces = linearCellFaces(this->Data->GetCellType(cell));
+    const FaceList<int> faces = LinearCellFaces(this->Data->GetCellType(cell));
     faces.Begin ? this->AddLinear(cell, faces) : this->AddOther(cell);
   }
 

@@ -18,13 +18,13 @@ inline bool WeightsInTetrahedron(const Vector3 (&p)[4], const Vector3& x, double
   const Vector3 b = from(p[1]);
   const Vector3 c = from(p[2]);
   const Vector3 d = from(p[3]);
-  const Vector3 ab = cross(a, b);
-  const Vector3 cd = cross(c, d);
+  const Vector3 ab = Cross(a, b);
+  const Vector3 cd = Cross(c, d);
   // Six times the volumes of the tetrahedra that x makes with the faces.
-  weights[0] = -dot(b, cd);
-  weights[1] = dot(a, cd);
-  weights[2] = -dot(d, ab);
-  weights[3] = dot(c, ab);
+  weights[0] = -Dot(b, cd);
+  weights[1] = Dot(a, cd);
+  weights[2] = -Dot(d, ab);
+  weights[3] = Dot(c, ab);
   const double sum = weights[0] + weights[1] + weights[2] + weights[3];
   bool inside = sum != 0.0;
   for (int i = 0; i < 4; ++i)

@@ -64,14 +64,14 @@ private:
         alongV[c] = k[2][c] + u * k[3][c];
         place[c] = k[0][c] + u * alongU[c] + v * k[2][c];
       }
-      const double uu = dot(alongU, alongU);
-      const double vv = dot(alongV, alongV);
-      const double slopes = dot(alongU, alongV);
-      const double curved = slopes + dot(place, k[3]);
+      const double uu = Dot(alongU, alongU);
+      const double vv = Dot(alongV, alongV);
+      const double slopes = Dot(alongU, alongV);
+      const double curved = slopes + Dot(place, k[3]);
       const double uv = curved * curved < uu * vv ? curved : slopes;
       const double determinant = uu * vv - uv * uv;
-      const double du = (vv * dot(place, alongU) - uv * dot(place, alongV)) / determinant;
-      const double dv = (uu * dot(place, alongV) - uv * dot(place, alongU)) / determinant;
+      const double du = (vv * Dot(place, alongU) - uv * Dot(place, alongV)) / determinant;
+      const double dv = (uu * Dot(place, alongV) - uv * Dot(place, alongU)) / determinant;
       const double size = std::abs(du) + std::abs(dv);
       if (!(size < 1e30))
       {
@@ -93,8 +93,8 @@ private:
     {
       const std::size_t b = (a + 1) % count;
       const Vector3 edge = From(p[a], p[b]);
-      const double length2 = dot(edge, edge);
-      const double share = length2 > 0.0 ? std::clamp(-dot(p[a], edge) / length2, 0.0, 1.0) : 0.0;
+      const double length2 = Dot(edge, edge);
+      const double share = length2 > 0.0 ? std::clamp(-Dot(p[a], edge) / length2, 0.0, 1.0) : 0.0;
       std::array<double, 4> weights{};
       weights[a] = 1.0 - share;
       weights[b] = share;
@@ -112,7 +112,7 @@ private:
         place[c] += weights[i] * p[i][c];
       }
     }
-    const double distance2 = dot(place, place);
+    const double distance2 = Dot(place, place);
     if (distance2 < this->Nearest2)
     {
       this->Nearest2 = distance2;

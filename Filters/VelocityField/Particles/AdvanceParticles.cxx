@@ -61,7 +61,7 @@ void AdvanceParticles(const VelocityField& field, const Particles& particles, do
       Part(particles, static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
     AdvanceInBatches(field, part, time, step, settings);
   };
-  withThreads(
+  WithThreads(
     [&]() { vtkSMPTools::For(0, static_cast<vtkIdType>(particles.Count), JOB_SIZE, work); },
     settings.Threads);
 }

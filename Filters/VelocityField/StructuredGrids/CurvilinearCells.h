@@ -72,7 +72,7 @@ private:
     const Coordinate* b = this->Corner(q);
     const Vector3 d = { static_cast<double>(a[0]) - b[0], static_cast<double>(a[1]) - b[1],
       static_cast<double>(a[2]) - b[2] };
-    return std::sqrt(dot(d, d));
+    return std::sqrt(Dot(d, d));
   }
 
   InverseResult Invert(const Vector3& position, GridCell& cell) const

@@ -121,10 +121,10 @@ private:
 
   static Vector3 SolveColumns(const Vector3 (&columns)[3], const Vector3& b)
   {
-    const Vector3 bc = cross(columns[1], columns[2]);
-    const double inverse = 1.0 / dot(columns[0], bc);
-    const Vector3 xc = cross(columns[0], b);
-    return { inverse * dot(b, bc), inverse * dot(columns[2], xc), -inverse * dot(columns[1], xc) };
+    const Vector3 bc = Cross(columns[1], columns[2]);
+    const double inverse = 1.0 / Dot(columns[0], bc);
+    const Vector3 xc = Cross(columns[0], b);
+    return { inverse * Dot(b, bc), inverse * Dot(columns[2], xc), -inverse * Dot(columns[1], xc) };
   }
 
   // Where a face has collapsed (a pole) and the columns depend on each other: least squares, damped
@@ -137,19 +137,19 @@ private:
     {
       for (std::size_t j = 0; j < 3; ++j)
       {
-        rows[i][j] = dot(columns[i], columns[j]);
+        rows[i][j] = Dot(columns[i], columns[j]);
       }
-      right[i] = dot(columns[i], b);
+      right[i] = Dot(columns[i], b);
     }
     const double trace = rows[0][0] + rows[1][1] + rows[2][2];
     for (std::size_t i = 0; i < 3; ++i)
     {
       rows[i][i] += 1e-9 * rows[i][i] + 1e-18 * trace;
     }
-    const Vector3 bc = cross(rows[1], rows[2]);
-    const double inverse = 1.0 / dot(rows[0], bc);
-    const Vector3 xc = cross(rows[0], right);
-    return { inverse * dot(right, bc), inverse * dot(rows[2], xc), -inverse * dot(rows[1], xc) };
+    const Vector3 bc = Cross(rows[1], rows[2]);
+    const double inverse = 1.0 / Dot(rows[0], bc);
+    const Vector3 xc = Cross(rows[0], right);
+    return { inverse * Dot(right, bc), inverse * Dot(rows[2], xc), -inverse * Dot(rows[1], xc) };
   }
 
   // Within the tolerance, or as near to a face as the coordinates can tell.
@@ -161,7 +161,7 @@ private:
       if (beyond > PARAMETRIC_TOLERANCE)
       {
         const double rounding = 4e-16 * this->Magnitude;
-        const double length = beyond * std::sqrt(dot(columns[a], columns[a]));
+        const double length = beyond * std::sqrt(Dot(columns[a], columns[a]));
         if (length > rounding)
         {
           return false;

@@ -76,7 +76,7 @@ TEST(TrilinearMap, InverseOfDistortedCells)
     Vector3 found = { unit(random), unit(random), unit(random) };
     const TrilinearMap map(points.data(), size.CornerOffsets(), x);
     ASSERT_EQ(map.Invert(found), InverseResult::Inside);
-    EXPECT_LT(distance(found, r), shift > 0.0 ? 1e-8 : 1e-11);
+    EXPECT_LT(Distance(found, r), shift > 0.0 ? 1e-8 : 1e-11);
   }
 }
 
@@ -136,7 +136,7 @@ TEST(CurvilinearCells, EveryPositionFromEveryHint)
       cell.Index[a] = static_cast<int>(unit(random) * globe.Size.Cells(a));
     }
     ASSERT_TRUE(globe.Cells.Find(x, trial % 3 != 0, cell)) << trial;
-    EXPECT_LT(distance(Evaluate(globe.Points, globe.Size, cell), x), 1e-9);
+    EXPECT_LT(Distance(Evaluate(globe.Points, globe.Size, cell), x), 1e-9);
     for (const double r : cell.Parametric)
     {
       EXPECT_TRUE(r >= 0.0 && r <= 1.0);

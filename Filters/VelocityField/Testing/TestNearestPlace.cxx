@@ -64,7 +64,7 @@ double LeastDistance(const Vector3 (&p)[4], bool triangle, int n)
       const Vector3 place = triangle
         ? Sum(p, { 1 - u - v, u, v, 0 })
         : Sum(p, { (1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v });
-      least = std::min(least, std::sqrt(dot(place, place)));
+      least = std::min(least, std::sqrt(Dot(place, place)));
     }
   }
   return least;
@@ -84,7 +84,7 @@ void ExpectNearest(const Vector3 (&p)[4], bool triangle)
   }
   EXPECT_NEAR(sum, 1.0, 1e-12);
   const Vector3 there = Sum(p, weights);
-  EXPECT_NEAR(std::sqrt(dot(there, there)), std::sqrt(place.Distance2()), 1e-12);
+  EXPECT_NEAR(std::sqrt(Dot(there, there)), std::sqrt(place.Distance2()), 1e-12);
   constexpr int n = 100;
   const double least = LeastDistance(p, triangle, n);
   EXPECT_LE(std::sqrt(place.Distance2()), least + 1e-12);

@@ -54,7 +54,7 @@ const Flow GYRE{ DoubleGyre, { 1, 0.25, 0 }, { 0.47328081941716577, 0.3195194348
 TEST(RungeKutta4, PlanarRotationIn24Steps)
 {
   const Vector3 end = End(AnalyticField(Rotation), { 1, 0, 0 }, 1.0, 24);
-  EXPECT_NEAR(distance(end, { 1, 0, 0 }), 0.00024579146521042767, 1e-6 * 0.000246);
+  EXPECT_NEAR(Distance(end, { 1, 0, 0 }), 0.00024579146521042767, 1e-6 * 0.000246);
 }
 
 TEST(RungeKutta4, KnownPaths)
@@ -62,7 +62,7 @@ TEST(RungeKutta4, KnownPaths)
   for (const Flow& flow : { ABC, GYRE })
   {
     const AnalyticField field(flow.Velocity);
-    EXPECT_LT(distance(End(field, flow.Start, flow.Duration, 640), flow.End), 1e-8);
+    EXPECT_LT(Distance(End(field, flow.Start, flow.Duration, 640), flow.End), 1e-8);
   }
 }
 
@@ -71,8 +71,8 @@ TEST(RungeKutta4, HalfTheStepIsASixteenthOfTheError)
   for (const Flow& flow : { ABC, GYRE, Flow{ Rotation, { 1, 0, 0 }, { 1, 0, 0 }, 1.0 } })
   {
     const AnalyticField field(flow.Velocity);
-    const double coarse = distance(End(field, flow.Start, flow.Duration, 80), flow.End);
-    const double fine = distance(End(field, flow.Start, flow.Duration, 160), flow.End);
+    const double coarse = Distance(End(field, flow.Start, flow.Duration, 80), flow.End);
+    const double fine = Distance(End(field, flow.Start, flow.Duration, 160), flow.End);
     EXPECT_NEAR(std::log2(coarse / fine), 4.0, 0.25);
   }
 }
@@ -81,7 +81,7 @@ TEST(RungeKutta4, BackwardsReturns)
 {
   const AnalyticField field(AbcFlow);
   const Vector3 there = End(field, { 1, 1, 1 }, 2.0, 320);
-  EXPECT_LT(distance(End(field, there, -2.0, 320), { 1, 1, 1 }), 1e-8);
+  EXPECT_LT(Distance(End(field, there, -2.0, 320), { 1, 1, 1 }), 1e-8);
 }
 
 TEST(DormandPrince, ErrorFollowsTheTolerance)
@@ -93,7 +93,7 @@ TEST(DormandPrince, ErrorFollowsTheTolerance)
     for (const double tolerance : { 1e-4, 1e-6, 1e-8, 1e-10 })
     {
       const double error =
-        distance(End(field, flow.Start, flow.Duration, 4, Adaptive(tolerance)), flow.End);
+        Distance(End(field, flow.Start, flow.Duration, 4, Adaptive(tolerance)), flow.End);
       // Errors of the steps are carried along by the flow, which spreads neighbours here.
       EXPECT_LT(error, 100.0 * tolerance);
       EXPECT_LT(error, last);
@@ -133,7 +133,7 @@ TEST(DormandPrince, FastParticlesTakeMoreStepsThanSlowOnes)
   {
     const double r = i == 0 ? 0.05 : 2.0;
     EXPECT_TRUE(inside[i]);
-    EXPECT_LT(distance(positions[i], { r * std::cos(1 / (r * r)), r * std::sin(1 / (r * r)), 0 }),
+    EXPECT_LT(Distance(positions[i], { r * std::cos(1 / (r * r)), r * std::sin(1 / (r * r)), 0 }),
       i == 0 ? 1e-4 : 1e-8);
   }
   EXPECT_LT(100.0 * subSteps[0], subSteps[1]);
@@ -173,7 +173,7 @@ TEST(DormandPrince, AProbeOutsideIsNotALeave)
 {
   const AnalyticField field(
     Rotation, [](const Vector3& x) { return x[0] * x[0] + x[1] * x[1] < 1.01; });
-  EXPECT_LT(distance(End(field, { 1, 0, 0 }, 1.0, 1, Adaptive(1e-9)), { 1, 0, 0 }), 1e-6);
+  EXPECT_LT(Distance(End(field, { 1, 0, 0 }, 1.0, 1, Adaptive(1e-9)), { 1, 0, 0 }), 1e-6);
 }
 
 TEST(DormandPrince, NoFlowIsOneStepAndHopelessFlowEnds)
@@ -212,7 +212,7 @@ TEST(TemporalField, LinearInTimeAndHeldOutside)
   {
     Vector3 alone;
     field.Sample({ 1, positions, times[i], &alone, inside, hints });
-    EXPECT_LT(distance(alone, expected[i]), 1e-15);
+    EXPECT_LT(Distance(alone, expected[i]), 1e-15);
     EXPECT_EQ(alone, together[i]);
   }
   // Inside only the first: inside as long as it has all the weight.

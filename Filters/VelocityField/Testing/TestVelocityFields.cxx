@@ -73,7 +73,7 @@ TEST(VelocityFields, LinearVelocityIsExactOnEveryGridFromEveryHint)
       for (std::size_t i = 0; i < positions.size(); ++i)
       {
         lost += !samples.Inside[i];
-        worst = std::max(worst, distance(samples.Velocities[i], LinearVelocity(positions[i])));
+        worst = std::max(worst, Distance(samples.Velocities[i], LinearVelocity(positions[i])));
       }
       EXPECT_EQ(lost, 0);
       EXPECT_LT(worst, 2e-13);
@@ -95,7 +95,7 @@ TEST(VelocityFields, EveryNumberType)
     const Samples samples(*FieldOf(image), positions);
     for (std::size_t i = 0; i < positions.size(); ++i)
     {
-      EXPECT_LT(distance(samples.Velocities[i], velocity(positions[i])), 1e-13);
+      EXPECT_LT(Distance(samples.Velocities[i], velocity(positions[i])), 1e-13);
     }
   };
   check(static_cast<vtkDoubleArray*>(nullptr));
@@ -169,14 +169,14 @@ TEST(VelocityFields, CellVelocities)
   {
     const Samples samples(*field, { x });
     EXPECT_TRUE(samples.Inside[0]);
-    EXPECT_LT(distance(samples.Velocities[0], LinearVelocity(x)), 1e-13);
+    EXPECT_LT(Distance(samples.Velocities[0], LinearVelocity(x)), 1e-13);
   }
   auto tetrahedra = Tetrahedra();
   AddCellVectors(tetrahedra, [](const Vector3&) { return Vector3{ 1, 2, 3 }; });
   const Samples samples(*FieldOf(tetrahedra, true), PositionsInside(tetrahedra, 100));
   for (const Vector3& v : samples.Velocities)
   {
-    EXPECT_LT(distance(v, { 1, 2, 3 }), 1e-14);
+    EXPECT_LT(Distance(v, { 1, 2, 3 }), 1e-14);
   }
 }
 
@@ -194,7 +194,7 @@ TEST(VelocityFields, HiddenCellsDoNotCountInTheMean)
   const auto field = FieldOf(image, true);
   const Samples samples(*field, { { 2.9, 2, 2 }, { 3.1, 2, 2 } });
   ASSERT_TRUE(samples.Inside[0]);
-  EXPECT_LT(distance(samples.Velocities[0], { 1, 2, 3 }), 1e-14);
+  EXPECT_LT(Distance(samples.Velocities[0], { 1, 2, 3 }), 1e-14);
   EXPECT_FALSE(samples.Inside[1]);
 }
 
@@ -271,7 +271,7 @@ TEST(SampleArrays, EveryArrayOnEveryGrid)
     {
       Vector3 value;
       velocity->GetTuple(static_cast<vtkIdType>(i), value.data());
-      EXPECT_LT(distance(value, LinearVelocity(positions[i])), 2e-13);
+      EXPECT_LT(Distance(value, LinearVelocity(positions[i])), 2e-13);
       whole->GetTuple(static_cast<vtkIdType>(i), value.data());
       EXPECT_EQ(value, (Vector3{ 7, -8, 9 }));
     }

@@ -17,7 +17,7 @@ namespace nephoscope
 {
 namespace
 {
-vtkPVDataInformation* dataOfActiveSource(vtkSMSessionProxyManager* manager)
+vtkPVDataInformation* DataOfActiveSource(vtkSMSessionProxyManager* manager)
 {
   vtkSMProxySelectionModel* active = manager->GetSelectionModel("ActiveSources");
   vtkSMProxy* current = active ? active->GetCurrentProxy() : nullptr;
@@ -29,7 +29,7 @@ vtkPVDataInformation* dataOfActiveSource(vtkSMSessionProxyManager* manager)
   return source ? source->GetDataInformation() : nullptr;
 }
 
-vtkPVDataInformation* dataOfInput(vtkSMProxy* filter)
+vtkPVDataInformation* DataOfInput(vtkSMProxy* filter)
 {
   const vtkSMPropertyHelper input(filter, "Input", true);
   auto* source =
@@ -38,10 +38,10 @@ vtkPVDataInformation* dataOfInput(vtkSMProxy* filter)
 }
 }
 
-void forgetArraysOfActiveSource(vtkSMProxy* filter)
+void ForgetArraysOfActiveSource(vtkSMProxy* filter)
 {
-  vtkPVDataInformation* active = dataOfActiveSource(filter->GetSessionProxyManager());
-  vtkPVDataInformation* input = dataOfInput(filter);
+  vtkPVDataInformation* active = DataOfActiveSource(filter->GetSessionProxyManager());
+  vtkPVDataInformation* input = DataOfInput(filter);
   if (!active || !input || active == input)
   {
     return;

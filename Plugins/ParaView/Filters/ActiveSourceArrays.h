@@ -12,7 +12,7 @@ namespace nephoscope
  * Functions of paraview.simple connect a new filter to the active source, and then to the input that they are given: arrays chosen for the first stay.
  * Sets those that only the active source has to their defaults in the input; a name that neither has is somebody's, and stays.
  */
-void forgetArraysOfActiveSource(vtkSMProxy* filter);
+void ForgetArraysOfActiveSource(vtkSMProxy* filter);
 }
 
 #endif

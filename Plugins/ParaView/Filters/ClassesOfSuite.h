@@ -31,7 +31,7 @@
 
 namespace nephoscope
 {
-inline bool isOfSuite(const char* classOfProxy)
+inline bool IsOfSuite(const char* classOfProxy)
 {
 #define NEPHOSCOPE_IS(CLASS) || std::strcmp(classOfProxy, #CLASS "WithLabels") == 0
   return classOfProxy && (false NEPHOSCOPE_FOR_CLASSES_OF_SUITE(NEPHOSCOPE_IS));

@@ -298,7 +298,7 @@ private:
 };
 }
 
-void resetCameraWhereShown(vtkSMProxy* display)
+void ResetCameraWhereShown(vtkSMProxy* display)
 {
   const Sphere shown = ShownBy(display);
   vtkNew<vtkSMProxyIterator> views;

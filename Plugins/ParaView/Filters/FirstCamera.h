@@ -14,7 +14,7 @@ namespace nephoscope
  * more of the picture than a dot does. As long as the camera has its initial direction, a globe that is shown alone is seen from above middle latitudes
  * instead of the pole, and a region of it from straight above.
  */
-void resetCameraWhereShown(vtkSMProxy* display);
+void ResetCameraWhereShown(vtkSMProxy* display);
 }
 
 #endif

@@ -238,7 +238,7 @@ bool IsUsedByOthers(vtkSMProxy* colors, vtkSMProxy* display)
 }
 }
 
-void colorFirst(
+void ColorFirst(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const std::string& how)
 {
   vtkPVDataInformation* data = source->GetDataInformation(port);
@@ -275,7 +275,7 @@ void colorFirst(
   }
 }
 
-void whitenContour(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
+void WhitenContour(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
 {
   const ColoredArray array = ColoredBy(display);
   if (!array.Name.empty() &&
@@ -286,7 +286,7 @@ void whitenContour(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source
   }
 }
 
-void colorByPreset(
+void ColorByPreset(
   vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port, const char* preset)
 {
   const ColoredArray array = ColoredBy(display);
@@ -308,7 +308,7 @@ void colorByPreset(
   }
 }
 
-void usePresetOfArray(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
+void UsePresetOfArray(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
 {
   const std::string array = ColoredBy(display).Name;
   if (!array.empty())

@@ -37,13 +37,13 @@ constexpr double lineWidth = 3.0; // pixels
 
 using Numbers = std::vector<double>;
 
-Numbers numbersOf(vtkSMProxy* proxy, const char* property)
+Numbers NumbersOf(vtkSMProxy* proxy, const char* property)
 {
   return vtkSMPropertyHelper(proxy, property, true).GetDoubleArray();
 }
 
 // What the panel shows, also before it is applied.
-Numbers shownNumbersOf(vtkSMProxy* proxy, const char* property)
+Numbers ShownNumbersOf(vtkSMProxy* proxy, const char* property)
 {
   vtkSMPropertyHelper helper(proxy, property, true);
   helper.SetUseUnchecked(true);
@@ -51,7 +51,7 @@ Numbers shownNumbersOf(vtkSMProxy* proxy, const char* property)
 }
 
 // The Flow Volume that a widget moves: that has the same centre and radius.
-vtkSMProxy* flowVolumeOf(vtkSMProxy* widget)
+vtkSMProxy* FlowVolumeOf(vtkSMProxy* widget)
 {
   vtkNew<vtkSMProxyIterator> sources;
   sources->SetSession(widget->GetSession());
@@ -60,8 +60,8 @@ vtkSMProxy* flowVolumeOf(vtkSMProxy* widget)
   {
     vtkSMProxy* source = sources->GetProxy();
     if (std::strcmp(source->GetXMLName(), "FlowVolume") == 0 &&
-      shownNumbersOf(source, "Center") == numbersOf(widget, "Center") &&
-      shownNumbersOf(source, "Radius") == numbersOf(widget, "Radius"))
+      ShownNumbersOf(source, "Center") == NumbersOf(widget, "Center") &&
+      ShownNumbersOf(source, "Radius") == NumbersOf(widget, "Radius"))
     {
       return source;
     }
@@ -124,15 +124,15 @@ private:
   {
     if (!this->Flow)
     {
-      this->Flow = flowVolumeOf(this->Widget);
+      this->Flow = FlowVolumeOf(this->Widget);
       if (!this->Flow)
       {
         return; // the widget of another filter
       }
       this->HideCylinder();
     }
-    const Numbers center = numbersOf(this->Widget, "Center"),
-                  radius = numbersOf(this->Widget, "Radius");
+    const Numbers center = NumbersOf(this->Widget, "Center"),
+                  radius = NumbersOf(this->Widget, "Radius");
     this->Actor->SetVisibility(
       vtkSMPropertyHelper(this->Widget, "Visibility", true).GetAsInt() != 0);
     if (center.size() == 3 && radius.size() == 1)
@@ -159,13 +159,13 @@ private:
         this->Flow->UpdatePropertyInformation(this->Flow->GetProperty("PreviewNormal"));
         this->FlowAt = center;
       }
-      const Numbers normal = numbersOf(this->Flow, "PreviewNormal");
+      const Numbers normal = NumbersOf(this->Flow, "PreviewNormal");
       if (normal.size() == 3 && vtkMath::Norm(normal.data()) > 0.0)
       {
         return normal;
       }
     }
-    const Numbers axis = numbersOf(this->Widget, "Axis");
+    const Numbers axis = NumbersOf(this->Widget, "Axis");
     return axis.size() == 3 && vtkMath::Norm(axis.data()) > 0.0 ? axis : Numbers{ 0.0, 0.0, 1.0 };
   }
 
@@ -245,7 +245,7 @@ private:
 };
 }
 
-void drawPolygonsOfWidgets(vtkSMProxy* view)
+void DrawPolygonsOfWidgets(vtkSMProxy* view)
 {
   if (auto* renderView = vtkSMRenderViewProxy::SafeDownCast(view))
   {

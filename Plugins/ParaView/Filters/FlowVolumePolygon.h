@@ -9,7 +9,7 @@ class vtkSMProxy;
 namespace nephoscope
 {
 /** Call it once for every new render view of the client. */
-void drawPolygonsOfWidgets(vtkSMProxy* view);
+void DrawPolygonsOfWidgets(vtkSMProxy* view);
 }
 
 #endif

@@ -15,7 +15,7 @@ namespace nephoscope
 {
 namespace
 {
-double lessThanHalfTurn(double angle)
+double LessThanHalfTurn(double angle)
 {
   return std::remainder(angle, 2 * vtkMath::Pi());
 }
@@ -26,33 +26,33 @@ struct Place
 };
 
 // Into an array: VTK 9.6 has no other form for a structured grid.
-std::array<int, 3> dimensionsOf(vtkStructuredGrid* grid)
+std::array<int, 3> DimensionsOf(vtkStructuredGrid* grid)
 {
   std::array<int, 3> dimensions;
   grid->GetDimensions(dimensions.data());
   return dimensions;
 }
 
-Place placeOf(vtkStructuredGrid* grid, int column, int row)
+Place PlaceOf(vtkStructuredGrid* grid, int column, int row)
 {
   double x[3];
-  grid->GetPoint(static_cast<vtkIdType>(row) * dimensionsOf(grid)[0] + column, x);
+  grid->GetPoint(static_cast<vtkIdType>(row) * DimensionsOf(grid)[0] + column, x);
   return { std::atan2(x[1], x[0]), std::asin(x[2] / vtkMath::Norm(x)) };
 }
 }
 
 GroundLight::GroundLight(vtkStructuredGrid* lit)
   : Irradiance(lit->GetPointData()->GetArray("Irradiance"))
-  , Columns(dimensionsOf(lit)[0])
-  , Rows(dimensionsOf(lit)[1])
+  , Columns(DimensionsOf(lit)[0])
+  , Rows(DimensionsOf(lit)[1])
 {
   const int middle = this->Rows / 2; // longitudes of a pole mean nothing
-  const Place first = placeOf(lit, 0, middle);
+  const Place first = PlaceOf(lit, 0, middle);
   this->FirstLongitude = first.Longitude;
-  this->LongitudeStep = lessThanHalfTurn(placeOf(lit, 1, middle).Longitude - first.Longitude);
-  this->FirstLatitude = placeOf(lit, 0, 0).Latitude;
+  this->LongitudeStep = LessThanHalfTurn(PlaceOf(lit, 1, middle).Longitude - first.Longitude);
+  this->FirstLatitude = PlaceOf(lit, 0, 0).Latitude;
   this->LatitudeStep =
-    (placeOf(lit, 0, this->Rows - 1).Latitude - this->FirstLatitude) / (this->Rows - 1);
+    (PlaceOf(lit, 0, this->Rows - 1).Latitude - this->FirstLatitude) / (this->Rows - 1);
 }
 
 double GroundLight::Value(int column, int row) const
@@ -63,7 +63,7 @@ double GroundLight::Value(int column, int row) const
 
 double GroundLight::At(double longitude, double latitude) const
 {
-  double turn = lessThanHalfTurn(longitude - this->FirstLongitude);
+  double turn = LessThanHalfTurn(longitude - this->FirstLongitude);
   turn += turn < 0 ? 2 * vtkMath::Pi() : 0; // the last column is the first one again
   const double x = std::clamp(turn / this->LongitudeStep, 0.0, this->Columns - 1.0);
   const double y =

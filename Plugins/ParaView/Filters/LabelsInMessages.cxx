@@ -39,7 +39,7 @@ namespace
 void Print(vtkObject* caller, unsigned long event, void*, void* message)
 {
   const std::string text =
-    inWordsOfPanel(message ? static_cast<const char*>(message) : "", caller->GetClassName());
+    InWordsOfPanel(message ? static_cast<const char*>(message) : "", caller->GetClassName());
   vtkRankMessages::Tell(event, text);
 }
 
@@ -64,7 +64,7 @@ void Register(vtkClientServerInterpreter* interpreter)
 }
 }
 
-void sayLabelsInMessages()
+void SayLabelsInMessages()
 {
   vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(Register);
 }

@@ -46,18 +46,18 @@ const Words remedies = {
 };
 
 // Units stand at the end of labels.
-std::string withoutUnit(const std::string& label)
+std::string WithoutUnit(const std::string& label)
 {
   const auto at = label.rfind(" (");
   return at != std::string::npos && label.back() == ')' ? label.substr(0, at) : label;
 }
 
-bool endsWith(const std::string& text, const std::string& end)
+bool EndsWith(const std::string& text, const std::string& end)
 {
   return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
-void add(Words& words, vtkPVXMLElement* property)
+void Add(Words& words, vtkPVXMLElement* property)
 {
   const std::string label = property->GetAttributeOrEmpty("label");
   const std::string name = property->GetAttributeOrEmpty("command");
@@ -66,25 +66,25 @@ void add(Words& words, vtkPVXMLElement* property)
   {
     return;
   }
-  const std::string shown = withoutUnit(label);
+  const std::string shown = WithoutUnit(label);
   words.emplace(name, shown);
   words.emplace(name.substr(3), shown);
-  if (endsWith(name, "Array")) // of representations; their mappers say it so
+  if (EndsWith(name, "Array")) // of representations; their mappers say it so
   {
     words.emplace(name + "Name", shown);
     words.emplace(name.substr(3) + "Name", shown);
   }
 }
 
-void addAll(Words& words, vtkPVXMLElement* definition)
+void AddAll(Words& words, vtkPVXMLElement* definition)
 {
   for (unsigned int i = 0; i < definition->GetNumberOfNestedElements(); ++i)
   {
-    add(words, definition->GetNestedElement(i));
+    Add(words, definition->GetNestedElement(i));
   }
 }
 
-Words wordsOf(const std::string& className)
+Words WordsOf(const std::string& className)
 {
   Words words = remedies;
   auto* session =
@@ -101,28 +101,28 @@ Words wordsOf(const std::string& className)
     vtkPVXMLElement* definition = proxies->GetProxyDefinition();
     if (definition && className + "WithLabels" == definition->GetAttributeOrEmpty("class"))
     {
-      addAll(words, definition);
+      AddAll(words, definition);
     }
   }
   return words;
 }
 
-bool isPartOfWord(char c)
+bool IsPartOfWord(char c)
 {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 // Whether what begins there ends with a word; names of files and classes in the head of a message begin with a capital too.
-bool isWhole(const std::string& text, std::size_t begin, std::size_t end)
+bool IsWhole(const std::string& text, std::size_t begin, std::size_t end)
 {
-  return (begin == 0 || !isPartOfWord(text[begin - 1])) &&
-    (end == text.size() || !isPartOfWord(text[end]));
+  return (begin == 0 || !IsPartOfWord(text[begin - 1])) &&
+    (end == text.size() || !IsPartOfWord(text[end]));
 }
 }
 
-std::string inWordsOfPanel(const std::string& text, const std::string& className)
+std::string InWordsOfPanel(const std::string& text, const std::string& className)
 {
-  const Words words = wordsOf(className);
+  const Words words = WordsOf(className);
   std::string result;
   for (std::size_t at = 0; at < text.size();)
   {
@@ -130,7 +130,7 @@ std::string inWordsOfPanel(const std::string& text, const std::string& className
     for (const auto& word : words)
     {
       const std::size_t length = word.first.size();
-      if (text.compare(at, length, word.first) == 0 && isWhole(text, at, at + length) &&
+      if (text.compare(at, length, word.first) == 0 && IsWhole(text, at, at + length) &&
         (!longest || longest->first.size() < length))
       {
         longest = &word;

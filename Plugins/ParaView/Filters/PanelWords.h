@@ -9,7 +9,7 @@
 namespace nephoscope
 {
 // The text with the names of properties, which the definitions of proxies of this class tell, replaced by their labels.
-std::string inWordsOfPanel(const std::string& text, const std::string& className);
+std::string InWordsOfPanel(const std::string& text, const std::string& className);
 }
 
 #endif

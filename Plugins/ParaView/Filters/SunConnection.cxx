@@ -14,24 +14,24 @@ namespace nephoscope
 {
 namespace
 {
-bool isA(vtkSMProxy* proxy, const char* group, const char* name)
+bool IsA(vtkSMProxy* proxy, const char* group, const char* name)
 {
   return proxy->GetXMLGroup() && proxy->GetXMLName() &&
     group == std::string(proxy->GetXMLGroup()) && name == std::string(proxy->GetXMLName());
 }
 
-bool isSun(vtkSMProxy* proxy)
+bool IsSun(vtkSMProxy* proxy)
 {
-  return isA(proxy, "sources", "Sun");
+  return IsA(proxy, "sources", "Sun");
 }
 
 // Whether a proxy computes the light of a sun.
-bool isSunlit(vtkSMProxy* proxy)
+bool IsSunlit(vtkSMProxy* proxy)
 {
-  return isA(proxy, "filters", "Sunlight") || isA(proxy, "sources", "CloudsOverTheGlobe");
+  return IsA(proxy, "filters", "Sunlight") || IsA(proxy, "sources", "CloudsOverTheGlobe");
 }
 
-void forEachInPipeline(vtkSMProxy* any, const std::function<void(vtkSMProxy*)>& act)
+void ForEachInPipeline(vtkSMProxy* any, const std::function<void(vtkSMProxy*)>& act)
 {
   vtkNew<vtkSMProxyIterator> proxies;
   proxies->SetSession(any->GetSession());
@@ -42,7 +42,7 @@ void forEachInPipeline(vtkSMProxy* any, const std::function<void(vtkSMProxy*)>& 
   }
 }
 
-void connect(vtkSMProxy* lit, vtkSMProxy* sun)
+void Connect(vtkSMProxy* lit, vtkSMProxy* sun)
 {
   auto* input = vtkSMInputProperty::SafeDownCast(lit->GetProperty("Sun"));
   if (input && input->GetNumberOfProxies() == 0)
@@ -53,27 +53,27 @@ void connect(vtkSMProxy* lit, vtkSMProxy* sun)
 }
 }
 
-void connectToSun(vtkSMProxy* proxy)
+void ConnectToSun(vtkSMProxy* proxy)
 {
-  if (isSun(proxy))
+  if (IsSun(proxy))
   {
-    forEachInPipeline(proxy, [proxy](vtkSMProxy* other) {
-      if (isSunlit(other))
+    ForEachInPipeline(proxy, [proxy](vtkSMProxy* other) {
+      if (IsSunlit(other))
       {
-        connect(other, proxy);
+        Connect(other, proxy);
       }
     });
   }
-  else if (isSunlit(proxy))
+  else if (IsSunlit(proxy))
   {
     vtkSMProxy* latest = nullptr;
-    forEachInPipeline(proxy, [&latest](vtkSMProxy* other) {
-      const bool later = isSun(other) && (!latest || other->GetGlobalID() > latest->GetGlobalID());
+    ForEachInPipeline(proxy, [&latest](vtkSMProxy* other) {
+      const bool later = IsSun(other) && (!latest || other->GetGlobalID() > latest->GetGlobalID());
       latest = later ? other : latest;
     });
     if (latest)
     {
-      connect(proxy, latest);
+      Connect(proxy, latest);
     }
   }
 }

@@ -12,7 +12,7 @@ namespace nephoscope
  * Call it for a new proxy. A new Sun becomes the input Sun of all that have none, and a new Sunlight filter or example without one gets the Sun that was made last.
  * The connection is an ordinary input: it is in state files, and can be undone.
  */
-void connectToSun(vtkSMProxy* proxy);
+void ConnectToSun(vtkSMProxy* proxy);
 }
 
 #endif

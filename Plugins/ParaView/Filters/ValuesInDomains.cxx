@@ -159,7 +159,7 @@ void KeepAll(vtkSMProxy* proxy)
 }
 }
 
-void keepValuesInDomains(vtkSMProxy* proxy)
+void KeepValuesInDomains(vtkSMProxy* proxy)
 {
   std::set<vtkSMProxy*> owners = {
     proxy
@@ -172,7 +172,7 @@ void keepValuesInDomains(vtkSMProxy* proxy)
   }
   for (vtkSMProxy* owner : owners)
   {
-    if (owner && isOfSuite(owner->GetVTKClassName()))
+    if (owner && IsOfSuite(owner->GetVTKClassName()))
     {
       KeepAll(owner); // what was given when it was made
       vtkNew<vtkCallbackCommand> command;

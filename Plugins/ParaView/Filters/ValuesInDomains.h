@@ -10,7 +10,7 @@ namespace nephoscope
 {
 // From now on a number outside the range that a property of this proxy tells, or of a display inside it, becomes the nearest one that is in it,
 // and what is not finite the default, with a warning that has the label and the range. Proxies of other plugins are left alone.
-void keepValuesInDomains(vtkSMProxy* proxy);
+void KeepValuesInDomains(vtkSMProxy* proxy);
 }
 
 #endif

@@ -56,7 +56,7 @@ constexpr double night = 0.01;
 constexpr double gamma = 2.2; // of a display
 
 // The colour of a point of the Earth in the irradiance there. The bytes of the picture are those of a display.
-void addColour(
+void AddColour(
   vtkUnsignedCharArray* colours, vtkImageData* image, int column, int row, double irradiance)
 {
   const int* size = image->GetDimensions();
@@ -70,7 +70,7 @@ void addColour(
   }
 }
 
-vtkSmartPointer<vtkCellArray> quadsOfEarth()
+vtkSmartPointer<vtkCellArray> QuadsOfEarth()
 {
   auto quads = vtkSmartPointer<vtkCellArray>::New();
   for (vtkIdType j = 0; j < rows; ++j)
@@ -93,7 +93,7 @@ vtkCloudsOverGlobe::vtkCloudsOverGlobe()
   for (vtkAlgorithm* part :
     std::initializer_list<vtkAlgorithm*>{ this->Reader, this->Globe, this->Optics, this->Light })
   {
-    nephoscope::forwardMessages(part, this);
+    nephoscope::ForwardMessages(part, this);
   }
   this->Reader->SphericalCoordinatesOff();
   this->Globe->SetInputConnection(this->Reader->GetOutputPort());
@@ -238,11 +238,11 @@ bool vtkCloudsOverGlobe::MakeEarth(vtkStructuredGrid* lit, vtkPolyData* earth)
       const double across = j % rows == 0 ? 0.0 : radius * std::cos(latitude);
       points->InsertNextPoint(
         across * std::cos(longitude), across * std::sin(longitude), radius * std::sin(latitude));
-      addColour(colours, picture->GetOutput(), i, j, light.At(longitude, latitude));
+      AddColour(colours, picture->GetOutput(), i, j, light.At(longitude, latitude));
     }
   }
   earth->SetPoints(points);
-  earth->SetPolys(quadsOfEarth());
+  earth->SetPolys(QuadsOfEarth());
   // No active scalars, which ParaView would colour by, with a scalar bar.
   earth->GetPointData()->AddArray(colours);
   return true;

@@ -136,7 +136,7 @@ int vtkPVFlowVolume::RequestData(
 // Other data, not another time step of the same series: the polygon of a film stays where it is. Collective.
 bool vtkPVFlowVolume::IsOtherInput()
 {
-  const vtkMTimeType now = nephoscope::changeOfInput(this);
+  const vtkMTimeType now = nephoscope::ChangeOfInput(this);
   int isOther = now != this->Change ? 1 : 0, isOtherAnywhere = isOther;
   this->Change = now;
   if (auto controller = vtkMultiProcessController::GetGlobalController())

@@ -32,45 +32,45 @@ struct Messages
   std::set<std::string> Told; // by the first rank since it last heard of the others
 };
 
-Messages& messages()
+Messages& AllMessages()
 {
   static Messages own;
   return own;
 }
 
 // Behind the file, the class and the address.
-std::size_t beginOfSentence(const std::string& text)
+std::size_t BeginOfSentence(const std::string& text)
 {
   const auto head = text.find("): ");
   return head == std::string::npos ? 0 : head + 3;
 }
 
-std::string withoutNumbers(const std::string& text)
+std::string WithoutNumbers(const std::string& text)
 {
-  std::string words = text.substr(beginOfSentence(text));
+  std::string words = text.substr(BeginOfSentence(text));
   words.erase(std::remove_if(
                 words.begin(), words.end(), [](unsigned char c) { return std::isdigit(c) != 0; }),
     words.end());
   return words;
 }
 
-void show(char kind, const std::string& text)
+void Show(char kind, const std::string& text)
 {
   kind == isError ? vtkOutputWindow::GetInstance()->DisplayErrorText(text.c_str())
                   : vtkOutputWindow::GetInstance()->DisplayWarningText(text.c_str());
 }
 
-void showOfRank(std::string text, int rank)
+void ShowOfRank(std::string text, int rank)
 {
   const char kind = text.front();
   text.erase(0, 1);
-  if (messages().Told.insert(withoutNumbers(text)).second)
+  if (AllMessages().Told.insert(WithoutNumbers(text)).second)
   {
-    show(kind, text.insert(beginOfSentence(text), "Rank " + std::to_string(rank) + ": "));
+    Show(kind, text.insert(BeginOfSentence(text), "Rank " + std::to_string(rank) + ": "));
   }
 }
 
-std::vector<char> gather(vtkMultiProcessController* ranks, const std::string& mine,
+std::vector<char> Gather(vtkMultiProcessController* ranks, const std::string& mine,
   std::vector<vtkIdType>& lengths, std::vector<vtkIdType>& offsets)
 {
   const auto length = static_cast<vtkIdType>(mine.size());
@@ -89,7 +89,7 @@ std::vector<char> gather(vtkMultiProcessController* ranks, const std::string& mi
   return all;
 }
 
-void onUpdated(vtkObject* caller, unsigned long, void*, void*)
+void OnUpdated(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* manager = vtkSMProxy::SafeDownCast(caller)->GetSessionProxyManager();
   vtkSmartPointer<vtkSMProxy> ranks;
@@ -108,18 +108,18 @@ void vtkRankMessages::Tell(unsigned long event, const std::string& text)
   auto* ranks = vtkMultiProcessController::GetGlobalController();
   if (ranks && ranks->GetLocalProcessId() > 0)
   {
-    messages().Kept += kind + text + '\0';
+    AllMessages().Kept += kind + text + '\0';
     return;
   }
   std::string told = text;
   if (ranks && ranks->GetNumberOfProcesses() > 1)
   {
-    messages().Told.insert(withoutNumbers(text));
-    const std::size_t sentence = beginOfSentence(text);
+    AllMessages().Told.insert(WithoutNumbers(text));
+    const std::size_t sentence = BeginOfSentence(text);
     const bool counts = std::isdigit(static_cast<unsigned char>(text[sentence])) != 0;
     told.insert(sentence, counts ? "Rank 0: " : ""); // the others have counts of their own
   }
-  show(kind, told);
+  Show(kind, told);
 }
 
 void vtkRankMessages::Flush()
@@ -130,8 +130,8 @@ void vtkRankMessages::Flush()
     return;
   }
   std::vector<vtkIdType> lengths, offsets;
-  const std::vector<char> all = gather(ranks, messages().Kept, lengths, offsets);
-  messages().Kept.clear();
+  const std::vector<char> all = Gather(ranks, AllMessages().Kept, lengths, offsets);
+  AllMessages().Kept.clear();
   for (int rank = 1; ranks->GetLocalProcessId() == 0 && rank < ranks->GetNumberOfProcesses();
        ++rank)
   {
@@ -139,11 +139,11 @@ void vtkRankMessages::Flush()
     for (auto at = all.begin() + offsets[static_cast<std::size_t>(rank)]; at != end;)
     {
       const auto stop = std::find(at, end, '\0');
-      showOfRank(std::string(at, stop), rank);
+      ShowOfRank(std::string(at, stop), rank);
       at = stop + 1;
     }
   }
-  messages().Told.clear();
+  AllMessages().Told.clear();
 }
 
 void vtkRankMessages::Follow(vtkSMProxy* proxy)
@@ -151,7 +151,7 @@ void vtkRankMessages::Follow(vtkSMProxy* proxy)
   if (proxy->GetSession()->GetNumberOfProcesses(vtkPVSession::SERVERS) > 1)
   {
     vtkNew<vtkCallbackCommand> command;
-    command->SetCallback(onUpdated);
+    command->SetCallback(OnUpdated);
     proxy->AddObserver(vtkCommand::UpdateDataEvent, command);
     proxy->AddObserver(vtkCommand::EndEvent, command);
   }

@@ -162,13 +162,13 @@ void PrepareDisplay(vtkSMPVRepresentationProxy* display)
     {
       display->SetRepresentationType("Surface");
     }
-    nephoscope::colorFirst(display, source, port, hint->GetAttributeOrDefault("color", "active"));
+    nephoscope::ColorFirst(display, source, port, hint->GetAttributeOrDefault("color", "active"));
     if (const char* preset = hint->GetAttribute("preset"))
     {
-      nephoscope::colorByPreset(display, source, port, preset);
+      nephoscope::ColorByPreset(display, source, port, preset);
     }
     display->UpdateVTKObjects();
-    nephoscope::resetCameraWhereShown(display);
+    nephoscope::ResetCameraWhereShown(display);
   }
 }
 
@@ -185,7 +185,7 @@ void WhitenCloud(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, 
 {
   if (!display->HasAnnotation(arrayIsChosen))
   {
-    nephoscope::whitenContour(display, source, port);
+    nephoscope::WhitenContour(display, source, port);
     display->RemoveAnnotation(solidColorIsChosen); // nobody has
   }
 }
@@ -203,11 +203,11 @@ void UsePreset(vtkSMPVRepresentationProxy* display)
   const int port = static_cast<int>(input.GetOutputPort());
   const std::string type = vtkSMPropertyHelper(display, "Representation", true).GetAsString();
   if (type == "Cell Compositing" || type == "Textured Splats" || type == "Cloud Texture" ||
-    nephoscope::isOfSuite(source->GetVTKClassName()) ||
+    nephoscope::IsOfSuite(source->GetVTKClassName()) ||
     source->GetDataInformation(port)->GetArrayInformation(
       "GlobeGridProjection", vtkDataObject::FIELD))
   {
-    nephoscope::usePresetOfArray(display, source, port);
+    nephoscope::UsePresetOfArray(display, source, port);
   }
 }
 
@@ -246,7 +246,7 @@ void OnDisplayProperty(vtkObject* caller, unsigned long, void*, void* data)
   const bool hasArray = display->GetUsingScalarColoring();
   if (source && !hasArray && (type == "Cell Compositing" || type == "Textured Splats"))
   {
-    nephoscope::colorFirst(display, source, port, "active");
+    nephoscope::ColorFirst(display, source, port, "active");
   }
   else if (source && hasArray && type == "Cloud Texture")
   {
@@ -260,14 +260,14 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   vtkSMProxy* proxy = registered ? registered->Proxy : nullptr;
   if (proxy && registered->GroupName && std::string(registered->GroupName) == "views")
   {
-    nephoscope::drawPolygonsOfWidgets(proxy);
+    nephoscope::DrawPolygonsOfWidgets(proxy);
     vtkRankMessages::Follow(proxy);
     return;
   }
   if (proxy)
   {
-    nephoscope::keepValuesInDomains(proxy);
-    if (nephoscope::isOfSuite(proxy->GetVTKClassName()) && vtkSMSourceProxy::SafeDownCast(proxy))
+    nephoscope::KeepValuesInDomains(proxy);
+    if (nephoscope::IsOfSuite(proxy->GetVTKClassName()) && vtkSMSourceProxy::SafeDownCast(proxy))
     {
       vtkRankMessages::Follow(proxy);
     }
@@ -287,10 +287,10 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
   }
   else if (std::string(registered->GroupName) == "sources")
   {
-    nephoscope::connectToSun(proxy);
-    if (nephoscope::isOfSuite(proxy->GetVTKClassName()))
+    nephoscope::ConnectToSun(proxy);
+    if (nephoscope::IsOfSuite(proxy->GetVTKClassName()))
     {
-      nephoscope::forgetArraysOfActiveSource(proxy);
+      nephoscope::ForgetArraysOfActiveSource(proxy);
     }
   }
 }

@@ -74,7 +74,7 @@ void vtkSMFlowVolumeInitializationHelper::PostInitializeProxy(
       vectors->ResetToDomainDefaults();
     }
   }
-  nephoscope::forgetArraysOfActiveSource(proxy);
+  nephoscope::ForgetArraysOfActiveSource(proxy);
   proxy->UpdateVTKObjects();
   proxy->InvokeCommand("FindPlace");
   proxy->UpdatePropertyInformation();

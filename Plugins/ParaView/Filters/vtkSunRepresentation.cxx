@@ -68,7 +68,7 @@ int vtkSunRepresentation::RequestData(
   directions->SetDataTypeToDouble();
   if ((!ranks || ranks->GetLocalProcessId() == 0) &&
     inputs[0]->GetNumberOfInformationObjects() == 1 &&
-    nephoscope::readSun(vtkDataObject::GetData(inputs[0]), sun))
+    nephoscope::ReadSun(vtkDataObject::GetData(inputs[0]), sun))
   {
     directions->InsertNextPoint(sun.Direction.data());
     directions->InsertNextPoint(sun.DirectionOnGlobe.data());
@@ -132,8 +132,8 @@ bool vtkSunRepresentation::FindDirection(double direction[3])
   this->Shown->GetPoint(0, direction);
   this->Shown->GetPoint(1, onGlobe);
   if (!std::equal(onGlobe, onGlobe + 3, direction) &&
-    nephoscope::maximumOfRanks(
-      nephoscope::greatestFieldValue(this->Renderer, "GlobeGridProjection", -1)) == globe)
+    nephoscope::MaximumOverRanks(
+      nephoscope::GreatestFieldValue(this->Renderer, "GlobeGridProjection", -1)) == globe)
   {
     std::copy_n(onGlobe, 3, direction);
   }
@@ -145,7 +145,7 @@ void vtkSunRepresentation::WarnOfVolumes()
 {
   vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
   const bool isAlone = !ranks || ranks->GetNumberOfProcesses() == 1; // each rank has other data
-  const bool isUnlit = isAlone && nephoscope::hasVolumesWithout(this->Renderer, "Sunlight");
+  const bool isUnlit = isAlone && nephoscope::HasVolumesWithout(this->Renderer, "Sunlight");
   if (isUnlit && !this->HasToldOfVolumes)
   {
     vtkWarningMacro(
@@ -169,7 +169,7 @@ void vtkSunRepresentation::OnStart()
   }
   this->WarnOfVolumes();
   this->Sun->SetPosition(direction);
-  nephoscope::setSunOf(this->Renderer, direction);
+  nephoscope::SetSunOf(this->Renderer, direction);
   vtkCollectionSimpleIterator iterator;
   this->Renderer->GetLights()->InitTraversal(iterator);
   while (vtkLight* light = this->Renderer->GetLights()->GetNextLight(iterator))
@@ -191,7 +191,7 @@ void vtkSunRepresentation::OnEnd()
   this->Hidden.clear();
   if (this->Renderer)
   {
-    nephoscope::setSunOf(this->Renderer, nullptr);
+    nephoscope::SetSunOf(this->Renderer, nullptr);
   }
 }
 

@@ -17,7 +17,7 @@ namespace nephoscope
 
 namespace
 {
-bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
+bool HasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
 {
   constexpr float narrow =
     1e-3f; // of the range of the scalar: rounding at a face is some 1e-6 of it
@@ -28,7 +28,7 @@ bool hasNarrowIntervals(const std::vector<TransferFunctionTable>& tables)
 }
 
 /** A number, and a macro that does something with each of 0, 1, ... below it. */
-std::string countedDefinition(const char* number, const char* each, std::size_t count)
+std::string CountedDefinition(const char* number, const char* each, std::size_t count)
 {
   std::string text =
     "#define " + std::string(number) + " " + std::to_string(count) + "\n#define " + each + "(DO)";
@@ -128,7 +128,7 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
   this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity[0].Nodes.size());
   this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
   this->UseLayers = colorAndOpacity.size() > 1;
-  const bool narrow = hasNarrowIntervals(colorAndOpacity) || hasNarrowIntervals(opacity);
+  const bool narrow = HasNarrowIntervals(colorAndOpacity) || HasNarrowIntervals(opacity);
   const auto copyOf = [&](const TransferFunctionTable& table) {
     const bool small = table.Nodes.size() <= few && !narrow && !this->UseLayers;
     return small ? table : TransferFunctionTable();
@@ -162,11 +162,11 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
 
 std::string CellBuffers::ShaderConstants() const
 {
-  return shaderConstant("useCellScalars", this->UseCellScalars) +
-    shaderConstant("separateOpacity", this->SeparateOpacity) +
-    shaderConstant("opacityOnCells", this->OpacityOnCells) +
-    shaderConstant("useLayers", this->UseLayers) +
-    shaderConstant("cameraLight", this->UseCameraLight);
+  return ShaderConstant("useCellScalars", this->UseCellScalars) +
+    ShaderConstant("separateOpacity", this->SeparateOpacity) +
+    ShaderConstant("opacityOnCells", this->OpacityOnCells) +
+    ShaderConstant("useLayers", this->UseLayers) +
+    ShaderConstant("cameraLight", this->UseCameraLight);
 }
 
 bool CellBuffers::UsesSmallOpacityTable() const
@@ -182,9 +182,9 @@ std::string CellBuffers::SmallTableDefinition() const
     return std::string();
   }
   const std::size_t opacityNodes = this->SmallOpacityTable.Nodes.size();
-  return countedDefinition("SMALL_TABLE", "EACH_NODE", nodes) +
+  return CountedDefinition("SMALL_TABLE", "EACH_NODE", nodes) +
     (this->UsesSmallOpacityTable()
-        ? countedDefinition("SMALL_OPACITY_TABLE", "EACH_OPACITY_NODE", opacityNodes)
+        ? CountedDefinition("SMALL_OPACITY_TABLE", "EACH_OPACITY_NODE", opacityNodes)
         : std::string());
 }
 
@@ -229,7 +229,7 @@ void CellBuffers::Activate(vtkShaderProgram* program, int instance)
     "tetrahedronLayers", "lightParts", "phaseFunction" };
   for (int i = 0; i < NumberOfBuffers; ++i)
   {
-    const char* name = instanceName(names[i], instance);
+    const char* name = InstanceName(names[i], instance);
     if (program->IsUniformUsed(name))
     {
       program->SetUniformi(name, this->Buffers[i].Activate());
@@ -237,12 +237,12 @@ void CellBuffers::Activate(vtkShaderProgram* program, int instance)
   }
   if (this->UseCameraLight)
   {
-    program->SetUniform3f(instanceName("towardsSun", instance), this->TowardsSun.data());
-    program->SetUniformi(instanceName("numberOfPhases", instance), this->NumberOfPhases);
+    program->SetUniform3f(InstanceName("towardsSun", instance), this->TowardsSun.data());
+    program->SetUniformi(InstanceName("numberOfPhases", instance), this->NumberOfPhases);
   }
   program->SetUniformi(
-    instanceName("numberOfTransferNodes", instance), this->NumberOfTransferNodes);
-  program->SetUniformi(instanceName("numberOfOpacityNodes", instance), this->NumberOfOpacityNodes);
+    InstanceName("numberOfTransferNodes", instance), this->NumberOfTransferNodes);
+  program->SetUniformi(InstanceName("numberOfOpacityNodes", instance), this->NumberOfOpacityNodes);
 }
 
 int CellBuffers::CountTextures() const

@@ -49,7 +49,7 @@ public:
   bool HasLayers() const { return this->UseLayers; }
   /** Shader constants that say which of the buffers are used. */
   std::string ShaderConstants() const;
-  /** Binds the textures that the program reads and sets their units; `instance` as in instanceName. */
+  /** Binds the textures that the program reads and sets their units; `instance` as in InstanceName. */
   void Activate(vtkShaderProgram* program, int instance = -1);
   /** At most so many of them are read. */
   int CountTextures() const;

@@ -160,7 +160,7 @@ std::string CellCompositingPass::DrawMedia(
   {
     medium.Pass->Peeled = true; // it has no image of its own
     region =
-      unionOf(region, medium.Pass->Rays.FindRegion(*medium.View, *medium.Options->Eye, whole));
+      UnionOf(region, medium.Pass->Rays.FindRegion(*medium.View, *medium.Options->Eye, whole));
   }
   this->Peeled = false;
   const auto paint = [&](const int viewport[4], OpaqueDepth&) {

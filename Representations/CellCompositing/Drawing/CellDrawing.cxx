@@ -26,7 +26,7 @@ namespace nephoscope
 namespace
 {
 // Where uniforms are worth a copy (RayCells.frag.glsl); a GPU would keep the copies in registers that it has too few of.
-bool isSoftwareOpenGL()
+bool IsSoftwareOpenGL()
 {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const std::string renderer = name ? name : "";
@@ -40,16 +40,16 @@ std::string CellDrawing::OwnConstants() const
   const bool more = this->Buffers.HasPointOpacity() || this->Contours.HasScalars();
   return std::string(more ? "#define MORE_SCALARS\n" : "") + this->Buffers.ShaderConstants() +
     this->Contours.ShaderConstants() +
-    shaderConstant("contourLayers", this->Options.ContourLayers && this->Buffers.HasLayers()) +
-    shaderConstant("contourLighting", this->Options.ContourLighting) +
-    shaderConstant("averageIntegration", this->Options.AverageIntegration) +
-    shaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
-    shaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Planes.Definition();
+    ShaderConstant("contourLayers", this->Options.ContourLayers && this->Buffers.HasLayers()) +
+    ShaderConstant("contourLighting", this->Options.ContourLighting) +
+    ShaderConstant("averageIntegration", this->Options.AverageIntegration) +
+    ShaderConstant("splitAtControlPoints", this->Options.SplitAtControlPoints) +
+    ShaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Planes.Definition();
 }
 
 std::string CellDrawing::CommonConstants() const
 {
-  return shaderConstant("softwareOpenGL", isSoftwareOpenGL()) + this->Options.Haze.Definition() +
+  return ShaderConstant("softwareOpenGL", IsSoftwareOpenGL()) + this->Options.Haze.Definition() +
     HazeAlongRayShader;
 }
 
@@ -77,10 +77,10 @@ void CellDrawing::SetUniforms(vtkShaderProgram* program) const
 
 void CellDrawing::SetCommonUniforms(vtkShaderProgram* program) const
 {
-  setSamplersApart(program);
+  SetSamplersApart(program);
   this->Options.Haze.SetUniforms(program);
   this->SetDepths(program);
-  program->SetUniform4f("depthToVC", depthToView(this->View.ViewToDevice).data());
+  program->SetUniform4f("depthToVC", DepthToViewOf(this->View.ViewToDevice).data());
   vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
   vtkMatrix4x4::Transpose(this->View.ViewToDevice, transposed);
   program->SetUniformMatrix("VCDCMatrix", transposed);
@@ -96,13 +96,13 @@ void CellDrawing::SetCommonUniforms(vtkShaderProgram* program) const
 
 void CellDrawing::SetOwnUniforms(vtkShaderProgram* program, int instance) const
 {
-  this->Options.Planes.SetUniforms(program, instanceName("clippingPlanes", instance));
+  this->Options.Planes.SetUniforms(program, InstanceName("clippingPlanes", instance));
   this->Buffers.Activate(program, instance);
   program->SetUniformf(
-    instanceName("extinctionScale", instance), static_cast<float>(this->Options.ExtinctionScale));
+    InstanceName("extinctionScale", instance), static_cast<float>(this->Options.ExtinctionScale));
   vtkNew<vtkMatrix4x4> transposed;
   vtkMatrix4x4::Transpose(this->View.ModelToView, transposed);
-  program->SetUniformMatrix(instanceName("MCVCMatrix", instance), transposed);
+  program->SetUniformMatrix(InstanceName("MCVCMatrix", instance), transposed);
 }
 
 void CellDrawing::Finish() const

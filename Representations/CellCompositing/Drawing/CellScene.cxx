@@ -19,7 +19,7 @@ namespace nephoscope
 {
 namespace
 {
-vtkMTimeType propertyMTime(vtkVolumeProperty* property)
+vtkMTimeType PropertyMTime(vtkVolumeProperty* property)
 {
   vtkMTimeType time = std::max(property->GetMTime(), property->GetScalarOpacity()->GetMTime());
   return property->GetColorChannels() == 3
@@ -118,7 +118,7 @@ bool CellScene::UpdateMethod(Method method, const Progress& progress)
   this->Current.Order = 0;
   if (method == Method::Rays && !this->Geometry.Hexahedra.empty())
   {
-    if (!findHexahedronNeighbors(this->Geometry, this->Neighbors, contoured, progress))
+    if (!FindHexahedronNeighbors(this->Geometry, this->Neighbors, contoured, progress))
     {
       return false;
     }
@@ -158,14 +158,14 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const Contou
   const CellGeometry& geometry = this->Geometry;
   const std::array<double, 5> ranges = { { geometry.ScalarRange[0], geometry.ScalarRange[1],
     geometry.OpacityRange[0], geometry.OpacityRange[1], double(geometry.HasOpacityScalars) } };
-  std::vector<TableSource> sources = { { 0, property, propertyMTime(property) } };
+  std::vector<TableSource> sources = { { 0, property, PropertyMTime(property) } };
   std::vector<vtkVolumeProperty*> properties = { property };
   std::vector<int> layers; // with a table of their own: the first has table 1
   for (const auto& layer : settings.LayerProperties)
   {
     if (settings.LayersAreUsed())
     {
-      sources.push_back({ layer.first, layer.second, propertyMTime(layer.second) });
+      sources.push_back({ layer.first, layer.second, PropertyMTime(layer.second) });
       properties.push_back(layer.second);
       layers.push_back(layer.first);
     }
@@ -181,7 +181,7 @@ void CellScene::UpdateTransferFunction(vtkVolumeProperty* property, const Contou
     this->FindTablesOfTetrahedra(layers);
     this->Change(this->Current.Transfer);
   }
-  this->ColorIsOne = hasOneColor(this->Transfers[0], 0.0f, geometry.SingleScalar ? 0.0f : 1.0f);
+  this->ColorIsOne = IsOfOneColor(this->Transfers[0], 0.0f, geometry.SingleScalar ? 0.0f : 1.0f);
   std::vector<int> tables(this->LayersOfContours ? settings.Surfaces.size() + 1 : 0, 0);
   for (std::size_t i = 0; i < layers.size(); ++i)
   {
@@ -295,7 +295,7 @@ void CellScene::UpdateEye(const Vector4& eye)
     this->EyeVersion < std::max({ now.Geometry, now.Colors, now.Opacities, now.Topology }))
   {
     this->EyeOfRays = eye;
-    this->Eye = findEyeTetrahedron(this->Geometry, this->Neighbors, eye);
+    this->Eye = FindEyeTetrahedron(this->Geometry, this->Neighbors, eye);
     this->Change(this->EyeVersion);
   }
 }

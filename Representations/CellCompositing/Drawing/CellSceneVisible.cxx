@@ -170,11 +170,11 @@ void CellScene::FindVisibleOfGrid()
                          .Find(this->ClearDistances);
   if (this->Geometry.Lattice.Found)
   {
-    this->ClearDistances = clearDistances(this->Geometry.Grid, this->ClearDistances);
+    this->ClearDistances = FindClearDistances(this->Geometry.Grid, this->ClearDistances);
   }
   this->NumberOfVisible = visible.Tetrahedra;
   this->VisibleBox = visible.Tetrahedra > 0 ? visible.Box : CellBox();
-  this->GridBoundary = chessboardBoundary(this->Geometry, this->VisibleBox);
+  this->GridBoundary = ChessboardBoundary(this->Geometry, this->VisibleBox);
 }
 
 // `number` is that of a tetrahedron, or of a cell of a grid.

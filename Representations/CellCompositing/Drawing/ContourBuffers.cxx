@@ -54,10 +54,10 @@ std::string ContourBuffers::UploadPolygons(vtkOpenGLRenderWindow* window,
 
 std::string ContourBuffers::ShaderConstants() const
 {
-  return shaderConstant("usePolygons", this->UsePolygons) +
-    shaderConstant("useContours", this->IsUsed()) +
-    shaderConstant("contourOfColor", this->OfColor) +
-    shaderConstant("smoothContourNormals", this->Smooth);
+  return ShaderConstant("usePolygons", this->UsePolygons) +
+    ShaderConstant("useContours", this->IsUsed()) +
+    ShaderConstant("contourOfColor", this->OfColor) +
+    ShaderConstant("smoothContourNormals", this->Smooth);
 }
 
 void ContourBuffers::Activate(const CellDrawing& drawing, vtkShaderProgram* program)

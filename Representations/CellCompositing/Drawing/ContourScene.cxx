@@ -19,7 +19,7 @@ namespace nephoscope
 {
 namespace
 {
-std::vector<float> colorScalars(const CellGeometry& geometry)
+std::vector<float> ColorScalars(const CellGeometry& geometry)
 {
   std::vector<float> scalars;
   scalars.reserve(geometry.Points.size());
@@ -31,7 +31,7 @@ std::vector<float> colorScalars(const CellGeometry& geometry)
 }
 
 // Where other ranks have some of the cells.
-std::vector<std::array<float, 4>> storedGradients(vtkDataArray* array)
+std::vector<std::array<float, 4>> StoredGradients(vtkDataArray* array)
 {
   std::vector<std::array<float, 4>> gradients(static_cast<std::size_t>(array->GetNumberOfTuples()));
   for (std::size_t i = 0; i < gradients.size(); ++i)
@@ -46,13 +46,13 @@ std::vector<std::array<float, 4>> storedGradients(vtkDataArray* array)
 }
 }
 
-vtkMTimeType colorMTime(vtkVolumeProperty* property)
+vtkMTimeType ColorMTime(vtkVolumeProperty* property)
 {
   return property->GetColorChannels() == 3 ? property->GetRGBTransferFunction()->GetMTime()
                                            : property->GetGrayTransferFunction()->GetMTime();
 }
 
-std::array<float, 3> functionColor(vtkVolumeProperty* property, double value)
+std::array<float, 3> FunctionColor(vtkVolumeProperty* property, double value)
 {
   double rgb[3];
   if (property->GetColorChannels() == 3)
@@ -98,7 +98,7 @@ void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVer
   }
 
   Sources sources = { this->FieldVersion, {}, tables, property,
-    std::max(property->GetMTime(), colorMTime(property)) };
+    std::max(property->GetMTime(), ColorMTime(property)) };
   for (const auto& s : surfaces)
   {
     sources.Surfaces.insert(
@@ -116,7 +116,7 @@ void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVer
   {
     const auto& s = surfaces[k];
     Contour contour = {};
-    contour.Value = static_cast<float>(normalizedValue(s.Value, this->Range));
+    contour.Value = static_cast<float>(NormalizedValue(s.Value, this->Range));
     contour.LayerBelow = tables.empty() ? 0.0f : static_cast<float>(tables[k]);
     contour.LayerAbove = tables.empty() ? 0.0f : static_cast<float>(tables[k + 1]);
     std::array<float, 3> rgb = { { -1, -1, -1 } };
@@ -126,7 +126,7 @@ void ContourScene::Update(const CellGeometry& geometry, std::int64_t geometryVer
     }
     else if (this->OfColor)
     {
-      rgb = functionColor(property, s.Value);
+      rgb = FunctionColor(property, s.Value);
     }
     contour.Color = { { rgb[0], rgb[1], rgb[2], static_cast<float>(s.Opacity) } };
     this->Contours.push_back(contour);
@@ -156,8 +156,8 @@ void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geomet
   this->Scalars.clear();
   if (!ofColor)
   {
-    findRange(data, selection, this->Range, {}, &single);
-    this->Scalars = normalizedScalars(selection, this->Range);
+    FindRange(data, selection, this->Range, {}, &single);
+    this->Scalars = NormalizedScalars(selection, this->Range);
   }
   this->Greatest = single ? this->Range[0] : this->Range[1];
   this->Gradients.clear();
@@ -165,8 +165,8 @@ void ContourScene::UpdateField(const CellGeometry& geometry, std::int64_t geomet
   {
     vtkDataArray* stored = data->GetPointData()->GetArray(storedGradientsName);
     this->Gradients = stored
-      ? storedGradients(stored)
-      : pointGradients(data, geometry, ofColor ? colorScalars(geometry) : this->Scalars);
+      ? StoredGradients(stored)
+      : PointGradients(data, geometry, ofColor ? ColorScalars(geometry) : this->Scalars);
   }
 }
 

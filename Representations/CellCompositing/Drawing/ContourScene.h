@@ -27,8 +27,8 @@ struct ContourSettings;
 
 ///@{
 /** The colour function's colour for a value, and the time of its last change. */
-std::array<float, 3> functionColor(vtkVolumeProperty* property, double value);
-vtkMTimeType colorMTime(vtkVolumeProperty* property);
+std::array<float, 3> FunctionColor(vtkVolumeProperty* property, double value);
+vtkMTimeType ColorMTime(vtkVolumeProperty* property);
 ///@}
 
 class ContourScene

@@ -38,7 +38,7 @@ private:
 };
 
 /** All pixels where the box reaches behind the eye. */
-inline PixelRegion coveredPixels(
+inline PixelRegion CoveredPixels(
   const SceneView& view, const PointBounds& bounds, const int viewport[4])
 {
   constexpr int margin = 2;
@@ -79,7 +79,7 @@ inline PixelRegion coveredPixels(
 }
 
 /** The least rectangle that holds both, of which one may be empty. */
-inline PixelRegion unionOf(const PixelRegion& a, const PixelRegion& b)
+inline PixelRegion UnionOf(const PixelRegion& a, const PixelRegion& b)
 {
   if (a[2] <= 0 || a[3] <= 0 || b[2] <= 0 || b[3] <= 0)
   {
@@ -94,7 +94,7 @@ inline PixelRegion unionOf(const PixelRegion& a, const PixelRegion& b)
   return all;
 }
 
-inline bool haveCommonPixels(const PixelRegion& a, const PixelRegion& b)
+inline bool HaveCommonPixels(const PixelRegion& a, const PixelRegion& b)
 {
   return std::max(a[0], b[0]) < std::min(a[0] + a[2], b[0] + b[2]) &&
     std::max(a[1], b[1]) < std::min(a[1] + a[3], b[1] + b[3]);

@@ -48,7 +48,7 @@ constexpr double slope = 0.25;        // of the ray through the edge of the pict
 
 using Plane = std::array<double, 4>; // inside where x a + y b + z c + d >= 0
 
-vtkSmartPointer<vtkDoubleArray> addScalars(vtkDataSet* data)
+vtkSmartPointer<vtkDoubleArray> AddScalars(vtkDataSet* data)
 {
   auto values = vtkSmartPointer<vtkDoubleArray>::New();
   values->SetName("s");
@@ -60,7 +60,7 @@ vtkSmartPointer<vtkDoubleArray> addScalars(vtkDataSet* data)
   return values;
 }
 
-vtkSmartPointer<vtkDataSet> makeTetrahedron(std::vector<Plane>& planes)
+vtkSmartPointer<vtkDataSet> MakeTetrahedron(std::vector<Plane>& planes)
 {
   auto data = vtkSmartPointer<vtkUnstructuredGrid>::New();
   vtkNew<vtkPoints> points;
@@ -76,7 +76,7 @@ vtkSmartPointer<vtkDataSet> makeTetrahedron(std::vector<Plane>& planes)
   return data;
 }
 
-vtkSmartPointer<vtkDataSet> makeCell(std::vector<Plane>& planes)
+vtkSmartPointer<vtkDataSet> MakeCell(std::vector<Plane>& planes)
 {
   auto data = vtkSmartPointer<vtkImageData>::New();
   data->SetDimensions(2, 2, 2);
@@ -114,7 +114,7 @@ struct CheckView
 };
 
 // Opacity of extinction 1 along the ray of a pixel; `eye` in model coordinates.
-double exactOpacity(const std::vector<Plane>& planes, const double eye[3], int x, int y)
+double ExactOpacity(const std::vector<Plane>& planes, const double eye[3], int x, int y)
 {
   const double ray[3] = { slope * (2 * (x + 0.5) / pictureSize - 1),
     slope * (2 * (y + 0.5) / pictureSize - 1), -1 };
@@ -130,7 +130,7 @@ double exactOpacity(const std::vector<Plane>& planes, const double eye[3], int x
   return leave > enter ? -std::expm1(-(leave - enter) * length) : 0;
 }
 
-std::string upload(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const CellScene& scene)
+std::string Upload(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const CellScene& scene)
 {
   std::string error = pass.UploadGeometry(window, scene.GetGeometry(), scene.GetNeighbors());
   error = error.empty() ? pass.UploadTransferFunctions(
@@ -144,7 +144,7 @@ std::string upload(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, con
 }
 
 // Into a framebuffer of its own without anything opaque.
-std::string draw(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const SceneView& view,
+std::string Draw(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const SceneView& view,
   const CellScene& scene)
 {
   vtkOpenGLState* state = window->GetState();
@@ -177,17 +177,17 @@ std::string draw(vtkOpenGLRenderWindow* window, CellCompositingPass& pass, const
   return error;
 }
 
-std::string compare(vtkImageData* image, const std::vector<Plane>& planes, const double eye[3])
+std::string Compare(vtkImageData* image, const std::vector<Plane>& planes, const double eye[3])
 {
   vtkDataArray* drawn = image->GetPointData()->GetScalars();
   for (int y = 0; y < pictureSize; ++y)
   {
     for (int x = 0; x < pictureSize; ++x)
     {
-      const double exact = exactOpacity(planes, eye, x, y);
+      const double exact = ExactOpacity(planes, eye, x, y);
       const double beside =
-        std::min(std::min(exactOpacity(planes, eye, x - 1, y), exactOpacity(planes, eye, x + 1, y)),
-          std::min(exactOpacity(planes, eye, x, y - 1), exactOpacity(planes, eye, x, y + 1)));
+        std::min(std::min(ExactOpacity(planes, eye, x - 1, y), ExactOpacity(planes, eye, x + 1, y)),
+          std::min(ExactOpacity(planes, eye, x, y - 1), ExactOpacity(planes, eye, x, y + 1)));
       const double expected[4] = { exact, 0.5 * exact, 0.25 * exact, exact };
       double value[4];
       drawn->GetTuple(y * pictureSize + x, value);
@@ -205,10 +205,10 @@ std::string compare(vtkImageData* image, const std::vector<Plane>& planes, const
   return std::string();
 }
 
-std::string drawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method method,
+std::string DrawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method method,
   vtkDataSet* data, const std::vector<Plane>& planes)
 {
-  const ScalarSelection scalars = { addScalars(data), false, -1 };
+  const ScalarSelection scalars = { AddScalars(data), false, -1 };
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(0, 1, 0.5, 0.25);
   color->AddRGBPoint(8, 1, 0.5, 0.25);
@@ -239,19 +239,19 @@ std::string drawAndCompare(vtkOpenGLRenderWindow* window, CellScene::Method meth
   }
   scene.UpdateDrawn();
   CellCompositingPass pass;
-  error = error.empty() ? upload(window, pass, scene) : error;
-  error = error.empty() ? draw(window, pass, view.View, scene) : error;
+  error = error.empty() ? Upload(window, pass, scene) : error;
+  error = error.empty() ? Draw(window, pass, view.View, scene) : error;
   vtkNew<vtkImageData> image;
   if (error.empty())
   {
-    error = pass.CopyFloatImage(window, image) ? compare(image, planes, eyeOfPlanes)
+    error = pass.CopyFloatImage(window, image) ? Compare(image, planes, eyeOfPlanes)
                                                : "nothing was drawn";
   }
   pass.ReleaseGraphicsResources(window);
   return error;
 }
 
-std::string check(vtkOpenGLRenderWindow* window, DrawnBy way)
+std::string Check(vtkOpenGLRenderWindow* window, DrawnBy way)
 {
   const char* wrong = std::getenv("NEPHOSCOPE_WRONG_DRAWING");
   if (wrong &&
@@ -260,34 +260,34 @@ std::string check(vtkOpenGLRenderWindow* window, DrawnBy way)
     return "NEPHOSCOPE_WRONG_DRAWING says so";
   }
   std::vector<Plane> planes;
-  vtkSmartPointer<vtkDataSet> data = makeTetrahedron(planes);
+  vtkSmartPointer<vtkDataSet> data = MakeTetrahedron(planes);
   if (way == DrawnBy::Projection)
   {
-    return drawAndCompare(window, CellScene::Method::Projection, data, planes);
+    return DrawAndCompare(window, CellScene::Method::Projection, data, planes);
   }
-  const std::string error = drawAndCompare(window, CellScene::Method::Rays, data, planes);
-  data = makeCell(planes);
-  return error.empty() ? drawAndCompare(window, CellScene::Method::Rays, data, planes) : error;
+  const std::string error = DrawAndCompare(window, CellScene::Method::Rays, data, planes);
+  data = MakeCell(planes);
+  return error.empty() ? DrawAndCompare(window, CellScene::Method::Rays, data, planes) : error;
 }
 
-std::string text(GLenum name)
+std::string Text(GLenum name)
 {
   const GLubyte* value = glGetString(name);
   return value ? reinterpret_cast<const char*>(value) : "unknown";
 }
 }
 
-std::string checkDrawing(vtkOpenGLRenderWindow* window, DrawnBy way)
+std::string CheckDrawing(vtkOpenGLRenderWindow* window, DrawnBy way)
 {
   static std::mutex mutex;
   static std::map<std::pair<std::string, DrawnBy>, std::string> known;
-  const std::string driver = text(GL_RENDERER) + ", OpenGL " + text(GL_VERSION);
+  const std::string driver = Text(GL_RENDERER) + ", OpenGL " + Text(GL_VERSION);
   const std::lock_guard<std::mutex> lock(mutex);
   const auto key = std::make_pair(driver, way);
   auto found = known.find(key);
   if (found == known.end())
   {
-    const std::string error = check(window, way);
+    const std::string error = Check(window, way);
     found = known.emplace(key, error.empty() ? error : error + " (" + driver + ")").first;
   }
   return found->second;

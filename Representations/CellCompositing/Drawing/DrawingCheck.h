@@ -24,7 +24,7 @@ enum class DrawnBy
  * Returns the problem, or an empty string; the window's context must be current. The environment variable NEPHOSCOPE_WRONG_DRAWING names a method
  * (Rays, Projection, or both) that counts as wrong, so that the fallback can be tested.
  */
-std::string checkDrawing(vtkOpenGLRenderWindow* window, DrawnBy way);
+std::string CheckDrawing(vtkOpenGLRenderWindow* window, DrawnBy way);
 
 } // namespace nephoscope
 

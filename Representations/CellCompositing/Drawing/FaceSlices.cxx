@@ -30,7 +30,7 @@ void FaceSlices::SetFaces(
 void FaceSlices::Sort(const std::array<double, 4>& toDepth, double error)
 {
   this->Ranges.resize(this->Corners.size());
-  forEach(this->Corners.size(), {}, [&](std::size_t i) {
+  ForEachIndex(this->Corners.size(), {}, [&](std::size_t i) {
     double low = std::numeric_limits<double>::max(), high = -low;
     for (std::size_t corner = 0; corner < 9; corner += 3)
     {

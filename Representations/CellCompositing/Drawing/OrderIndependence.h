@@ -53,7 +53,7 @@ private:
  * Whether a table of colours, or of colours and opacities, has one colour for all scalars from low to high that are not fully
  * transparent. A table of colours alone is opaque throughout.
  */
-inline bool hasOneColor(const TransferFunctionTable& table, float low, float high)
+inline bool IsOfOneColor(const TransferFunctionTable& table, float low, float high)
 {
   OneColor colors;
   for (std::size_t k = table.FindInterval(low); k <= table.FindInterval(high); ++k)

@@ -19,7 +19,7 @@ namespace
 {
 /** Replaces `value`; true when it was different. */
 template <typename Value>
-bool replaces(Value& value, Value now)
+bool Replaces(Value& value, Value now)
 {
   const bool changed = value != now;
   value = std::move(now);
@@ -30,7 +30,7 @@ bool replaces(Value& value, Value now)
 
 void PolygonScene::Read(vtkDataSet* data, const ContourSettings& settings)
 {
-  if (replaces(this->ReadKey, { data, data->GetMTime(), settings.Polygons }))
+  if (Replaces(this->ReadKey, { data, data->GetMTime(), settings.Polygons }))
   {
     this->Polygons = CellPolygons::Read(data, settings.Polygons);
     ++this->ReadVersion;
@@ -43,17 +43,17 @@ void PolygonScene::Read(vtkDataSet* data, const ContourSettings& settings)
 void PolygonScene::FindFaces(
   const CellGeometry& geometry, std::int64_t geometryVersion, bool smooth)
 {
-  if (!replaces(this->FacesKey, { geometryVersion, this->ReadVersion, smooth }))
+  if (!Replaces(this->FacesKey, { geometryVersion, this->ReadVersion, smooth }))
   {
     return;
   }
-  std::vector<std::int32_t> places = findPlaces(geometry);
+  std::vector<std::int32_t> places = FindPlaces(geometry);
   this->Faces = this->Polygons.Match(geometry, places);
   const std::int64_t apart = this->Polygons.NumberApart;
   if (apart > 0) // they may have points of their own that differ by rounding
   {
     std::vector<std::int32_t> welded = places;
-    weldPlaces(geometry, welded);
+    WeldPlaces(geometry, welded);
     std::vector<CellPolygons::Face> faces = this->Polygons.Match(geometry, welded);
     this->Polygons.NumberApart < apart ? this->Faces.swap(faces)
                                        : void(this->Polygons.NumberApart = apart);
@@ -73,7 +73,7 @@ std::array<float, 4> PolygonScene::ColorOf(const CellPolygons::Triangle& triangl
   }
   else if (scalars.OnCells) // its own value, not that of a cell beside it
   {
-    rgb = functionColor(property, scalarValue(scalars, triangle.Cell));
+    rgb = FunctionColor(property, ScalarValue(scalars, triangle.Cell));
   }
   return { { rgb[0], rgb[1], rgb[2], static_cast<float>(look.Opacity) } };
 }
@@ -89,7 +89,7 @@ std::vector<double> PolygonScene::DescribeLook(std::int64_t geometryVersion,
   const bool ofCells = scalars.OnCells && scalars.Array;
   std::vector<double> key = { double(geometryVersion), double(this->ReadVersion),
     double(settings.SmoothNormals), ofCells ? double(scalars.Array->GetMTime()) : 0.0,
-    ofCells ? double(colorMTime(property)) : 0.0 };
+    ofCells ? double(ColorMTime(property)) : 0.0 };
   const auto add = [&key](double contour, const ContourSettings::Surface& look) {
     key.insert(key.end(), { contour, look.Opacity, look.Color[0], look.Color[1], look.Color[2] });
   };
@@ -104,7 +104,7 @@ std::vector<double> PolygonScene::DescribeLook(std::int64_t geometryVersion,
 void PolygonScene::Update(const CellGeometry& geometry, std::int64_t geometryVersion,
   const ScalarSelection& scalars, const ContourSettings& settings, vtkVolumeProperty* property)
 {
-  if (!replaces(this->LookKey, this->DescribeLook(geometryVersion, scalars, settings, property)))
+  if (!Replaces(this->LookKey, this->DescribeLook(geometryVersion, scalars, settings, property)))
   {
     return;
   }
@@ -129,8 +129,8 @@ void PolygonScene::Update(const CellGeometry& geometry, std::int64_t geometryVer
       {
         const Vector3 x = geometry.Position(t[std::size_t(tetrahedronFaces[face.Opposite][k])]);
         const auto distance = [&](std::size_t corner) {
-          const Vector3 d = difference(geometry.Position(triangle.Points[corner]), x);
-          return dot(d, d);
+          const Vector3 d = Difference(geometry.Position(triangle.Points[corner]), x);
+          return Dot(d, d);
         };
         const std::size_t nearest = distance(0) <= distance(1)
           ? (distance(0) <= distance(2) ? 0 : 2)
@@ -166,8 +166,8 @@ void PolygonScene::ListForRays(const CellGeometry& geometry, const TetrahedronNe
     for (std::size_t k = 0; k < 3; ++k)
     {
       const auto distance = [&](std::int32_t corner) {
-        const Vector3 d = difference(geometry.Position(corner), geometry.Position(to[k]));
-        return dot(d, d);
+        const Vector3 d = Difference(geometry.Position(corner), geometry.Position(to[k]));
+        return Dot(d, d);
       };
       const auto nearest = std::min_element(from.begin(), from.end(),
         [&](std::int32_t a, std::int32_t b) { return distance(a) < distance(b); });

@@ -39,7 +39,7 @@ constexpr int maximumLayers = 1024;
 constexpr int maximumSteps = 1 << 16;
 
 // Points at one place with equal values are one.
-std::vector<std::int32_t> mergedVertices(
+std::vector<std::int32_t> MergedVertices(
   const CellGeometry& geometry, const TetrahedronNeighbors& neighbors)
 {
   std::vector<std::int32_t> vertices;
@@ -80,7 +80,7 @@ std::string RayCells::UploadGeometry(vtkOpenGLRenderWindow* window, const CellGe
     this->HasOtherPoints = std::any_of(neighbors.Neighbors.begin(), neighbors.Neighbors.end(),
       [](std::int32_t link) { return link >= 0 && (link & 1) != 0; });
     upload(this->Neighbors, neighbors.Neighbors, 1, VTK_INT);
-    upload(this->Hexahedra, mergedVertices(geometry, neighbors), 1, VTK_INT);
+    upload(this->Hexahedra, MergedVertices(geometry, neighbors), 1, VTK_INT);
   }
   else if (this->HasHexahedra)
   {
@@ -125,7 +125,7 @@ PixelRegion RayCells::FindRegion(
   const SceneView& view, const EyeTetrahedron& eye, const int viewport[4]) const
 {
   return eye.Found ? PixelRegion{ { 0, 0, viewport[2], viewport[3] } }
-                   : coveredPixels(view, this->Entries.GetBounds(), viewport);
+                   : CoveredPixels(view, this->Entries.GetBounds(), viewport);
 }
 
 TetrahedronTopology RayCells::GetTopology() const
@@ -137,10 +137,10 @@ TetrahedronTopology RayCells::GetTopology() const
 
 std::string RayCells::OwnConstants() const
 {
-  return shaderConstant("hasHiddenCells", this->HasHiddenCells) +
-    shaderConstant("hasJumps", this->NumberOfJumps > 0) +
-    shaderConstant("hasOtherPoints", this->HasOtherPoints) +
-    shaderConstant("closedGrid", this->Box.IsClosed(this->Grid));
+  return ShaderConstant("hasHiddenCells", this->HasHiddenCells) +
+    ShaderConstant("hasJumps", this->NumberOfJumps > 0) +
+    ShaderConstant("hasOtherPoints", this->HasOtherPoints) +
+    ShaderConstant("closedGrid", this->Box.IsClosed(this->Grid));
 }
 
 // In which the scalar is trilinear.
@@ -155,10 +155,10 @@ bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)
 {
   const std::string constants =
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() + this->OwnConstants();
-  const std::string text = this->DrawsHexahedra(drawing) ? hexahedraShader(!this->Grid.IsEmpty())
-                                                         : tetrahedraShader(this->GetTopology());
+  const std::string text = this->DrawsHexahedra(drawing) ? HexahedraShader(!this->Grid.IsEmpty())
+                                                         : TetrahedraShader(this->GetTopology());
   this->SegmentProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
-    RayCellsVertex, specializedShader(text, constants).c_str(), "");
+    RayCellsVertex, SpecializedShader(text, constants).c_str(), "");
   return this->SegmentProgram != nullptr;
 }
 
@@ -166,7 +166,8 @@ std::string RayCells::MediumShader(const CellDrawing& drawing, int instance) con
 {
   const std::string constants = drawing.OwnConstants() + this->OwnConstants() +
     "const int mediumNumber = " + std::to_string(instance) + ";\n";
-  return shaderInstance(specializedShader(mediumShader(this->GetTopology()), constants), instance);
+  return ShaderInstance(
+    SpecializedShader(ShaderOfMedium(this->GetTopology()), constants), instance);
 }
 
 std::string RayCells::Draw(const CellDrawing& drawing)
@@ -247,7 +248,7 @@ void RayCells::DrawLayers(const CellDrawing& drawing)
 
 void RayCells::SetTopology(vtkShaderProgram* program, int instance)
 {
-  const auto name = [=](const char* uniform) { return instanceName(uniform, instance); };
+  const auto name = [=](const char* uniform) { return InstanceName(uniform, instance); };
   program->SetUniformi(name("boundaryFaces"), this->BoundaryFaces.Activate());
   program->SetUniform2f(name("clearRange"), this->ClearRange.data());
   if (program->IsUniformUsed(name("hiddenCells")))
@@ -319,7 +320,7 @@ void RayCells::DrawSegments(const CellDrawing& drawing, int from, const EyeTetra
 
 void RayCells::SetRays(const CellDrawing& drawing, vtkShaderProgram* program, int instance)
 {
-  const auto name = [=](const char* uniform) { return instanceName(uniform, instance); };
+  const auto name = [=](const char* uniform) { return InstanceName(uniform, instance); };
   RayGeometry rays(drawing.View);
   program->SetUniformMatrix3x3(name("rayPoint"), rays.Point().data());
   program->SetUniformMatrix3x3(name("rayDirection"), rays.Direction().data());
@@ -332,7 +333,7 @@ void RayCells::SetRays(const CellDrawing& drawing, vtkShaderProgram* program, in
 
 void RayCells::SetEye(const EyeTetrahedron& eye, vtkShaderProgram* program, int instance)
 {
-  const auto name = [=](const char* uniform) { return instanceName(uniform, instance); };
+  const auto name = [=](const char* uniform) { return InstanceName(uniform, instance); };
   program->SetUniform1iv(name("eyeVertices"), 4, eye.Vertices.data());
   program->SetUniform1iv(name("eyePlace"), 4, eye.Place.data());
   program->SetUniform1iv(name("eyeHexahedron"), 4, eye.Hexahedron.data());

@@ -83,8 +83,8 @@ void RayEntries::Allocate(const CellDrawing& drawing)
 bool RayEntries::ReadyProgram(const CellDrawing& drawing)
 {
   this->Program = drawing.Window->GetShaderCache()->ReadyShaderProgram(
-    specializedShader(EntryFacesVertex, std::string()).c_str(),
-    specializedShader(EntryFacesFragment, shaderConstant("useDepthRanges", drawing.Peel != nullptr))
+    SpecializedShader(EntryFacesVertex, std::string()).c_str(),
+    SpecializedShader(EntryFacesFragment, ShaderConstant("useDepthRanges", drawing.Peel != nullptr))
       .c_str(),
     "");
   return this->Program != nullptr;

@@ -43,49 +43,49 @@ const char* const planVertex = "//VTK::System::Dec\n"
                                "  gl_Position = vec4(4.0 * corner - 1.0, 0.0, 1.0);\n"
                                "}\n";
 
-std::string mediumNumber(int i)
+std::string MediumNumber(int i)
 {
   return "const int mediumNumber = " + std::to_string(i) + ";\n";
 }
 
-std::string planFragment(int count)
+std::string PlanFragment(int count)
 {
   std::string media, outputs;
   for (int i = 0; i < count; ++i)
   {
-    media += shaderInstance(mediumNumber(i) + RayPlanMediumShader, i);
+    media += ShaderInstance(MediumNumber(i) + RayPlanMediumShader, i);
     outputs += "  gl_FragData[" + std::to_string(2 + i) + "] = vec4(entry_" + std::to_string(i) +
       ", 0.0, 0.0);\n";
   }
-  media += callInstances("findNextEntries", "findNextEntry", "", "", count) +
-    callInstances("advanceMedia", "advanceMedium", "", "", count);
-  return withShaderParts(RayPlanFragment, { { "Media", media }, { "Outputs", outputs } });
+  media += CallInstances("findNextEntries", "findNextEntry", "", "", count) +
+    CallInstances("advanceMedia", "advanceMedium", "", "", count);
+  return WithShaderParts(RayPlanFragment, { { "Media", media }, { "Outputs", outputs } });
 }
 
-std::string mediaVertex(int count)
+std::string MediaVertex(int count)
 {
   std::string text = "//VTK::System::Dec\n";
   for (int i = 0; i < count; ++i)
   {
-    text += shaderInstance(RayCellsVertex, i);
+    text += ShaderInstance(RayCellsVertex, i);
   }
-  return text + callInstances("main", "main", "", "", count);
+  return text + CallInstances("main", "main", "", "", count);
 }
 
-std::string mediaCalls(int count)
+std::string MediaCalls(int count)
 {
   const std::string place = "float place";
-  return callInstances("prepareMedia", "prepareMedium", "", "", count) +
-    callInstances("placeBesideOfMedia", "placeBeside", "int attempt", "attempt", count) +
-    callInstances("startMedia", "startMedium", "", "", count) +
-    callInstances("goOnInMedia", "goOnInMedium", place, "place", count) +
-    callInstances("findEvents", "findEvent", place, "place", count) +
-    callInstances("addMedia", "addMedium", "float from, float to", "from, to", count) +
-    callInstances("finishMedia", "finishMedium", place, "place", count) +
+  return CallInstances("prepareMedia", "prepareMedium", "", "", count) +
+    CallInstances("placeBesideOfMedia", "placeBeside", "int attempt", "attempt", count) +
+    CallInstances("startMedia", "startMedium", "", "", count) +
+    CallInstances("goOnInMedia", "goOnInMedium", place, "place", count) +
+    CallInstances("findEvents", "findEvent", place, "place", count) +
+    CallInstances("addMedia", "addMedium", "float from, float to", "from, to", count) +
+    CallInstances("finishMedia", "finishMedium", place, "place", count) +
     "vec3 placeInViewOfFirst(float place) { return placeInView_0(place); }\n";
 }
 
-void allocateFloats(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height)
+void AllocateFloats(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height)
 {
   texture->SetContext(window);
   texture->Allocate2D(width, height, 4, VTK_FLOAT);
@@ -93,7 +93,7 @@ void allocateFloats(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, in
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
 }
 
-void activate(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
+void Activate(vtkShaderProgram* program, const char* name, vtkTextureObject* texture)
 {
   texture->Activate();
   program->SetUniformi(name, texture->GetTextureUnit());
@@ -127,7 +127,7 @@ void RayMedia::Allocate(const CellDrawing& drawing)
   for (vtkTextureObject* texture :
     { this->Plans[0].Get(), this->Plans[1].Get(), this->Faces.Get() })
   {
-    allocateFloats(texture, drawing.Window, width, height);
+    AllocateFloats(texture, drawing.Window, width, height);
   }
   this->Size[0] = width;
   this->Size[1] = height;
@@ -148,14 +148,14 @@ bool RayMedia::ReadyPrograms(const std::vector<Medium>& media)
     }
     instances += medium.Rays->MediumShader(*medium.Drawing, i);
   }
-  const std::string constants = shaderConstant("useDepthRanges", drawing.Peel != nullptr) +
-    shaderConstant("averageIntegration", false) + drawing.CommonConstants();
-  const std::string fragment = withShaderParts(RayMediaFragment,
+  const std::string constants = ShaderConstant("useDepthRanges", drawing.Peel != nullptr) +
+    ShaderConstant("averageIntegration", false) + drawing.CommonConstants();
+  const std::string fragment = WithShaderParts(RayMediaFragment,
     { { "MixedSegment", MixedSegmentShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "Media", instances + mediaCalls(count) } });
-  this->PlanProgram = cache->ReadyShaderProgram(planVertex, planFragment(count).c_str(), "");
+      { "Media", instances + MediaCalls(count) } });
+  this->PlanProgram = cache->ReadyShaderProgram(planVertex, PlanFragment(count).c_str(), "");
   this->Program = cache->ReadyShaderProgram(
-    mediaVertex(count).c_str(), specializedShader(fragment, constants).c_str(), "");
+    MediaVertex(count).c_str(), SpecializedShader(fragment, constants).c_str(), "");
   return this->PlanProgram && this->Program;
 }
 
@@ -265,17 +265,17 @@ void RayMedia::DrawPlan(const std::vector<Medium>& media, bool first)
   drawing.Window->GetShaderCache()->ReadyShaderProgram(program);
   const double plane = RayGeometry(drawing.View).Distance();
   program->SetUniformi("isFirst", first ? 1 : 0);
-  activate(program, "lastPlan", this->Plans[1 - this->Plan]);
+  Activate(program, "lastPlan", this->Plans[1 - this->Plan]);
   for (int i = 0; i < count; ++i)
   {
     const Medium& medium = media[static_cast<std::size_t>(i)];
-    activate(program, instanceName("lastEntry", i), medium.Rays->Entries.GetTexture(this->Last));
-    activate(program, instanceName("nextEntry", i), medium.Rays->Entries.GetTexture(this->Next));
+    Activate(program, InstanceName("lastEntry", i), medium.Rays->Entries.GetTexture(this->Last));
+    Activate(program, InstanceName("nextEntry", i), medium.Rays->Entries.GetTexture(this->Next));
     const std::array<float, 2> range = medium.Rays->Entries.DepthRange(medium.Drawing->View);
     const float places[2] = { static_cast<float>(range[0] - plane),
       static_cast<float>(range[1] - plane) };
-    program->SetUniform2f(instanceName("entryPlaces", i), places);
-    program->SetUniformi(instanceName("startsAtEye", i),
+    program->SetUniform2f(InstanceName("entryPlaces", i), places);
+    program->SetUniformi(InstanceName("startsAtEye", i),
       medium.Rays->StartsAtEye(*medium.Drawing->Options.Eye) ? 1 : 0);
   }
   this->VertexArray->Bind();
@@ -309,8 +309,8 @@ void RayMedia::DrawRound(const std::vector<Medium>& media)
   common.SetCommonUniforms(program);
   const double plane = RayGeometry(common.View).Distance();
   program->SetUniformf("firstPlane", static_cast<float>(plane));
-  activate(program, "roundPlan", this->Plans[this->Plan]);
-  activate(program, "enteredFaces", this->Faces);
+  Activate(program, "roundPlan", this->Plans[this->Plan]);
+  Activate(program, "enteredFaces", this->Faces);
   for (int i = 0; i < static_cast<int>(media.size()); ++i)
   {
     const CellDrawing& drawing = *media[static_cast<std::size_t>(i)].Drawing;
@@ -320,8 +320,8 @@ void RayMedia::DrawRound(const std::vector<Medium>& media)
     rays.SetTopology(program, i);
     rays.SetRays(drawing, program, i);
     rays.SetEye(eye, program, i);
-    program->SetUniformi(instanceName("startsAtEye", i), rays.StartsAtEye(eye) ? 1 : 0);
-    program->SetUniformf(instanceName("mediumPlace", i),
+    program->SetUniformi(InstanceName("startsAtEye", i), rays.StartsAtEye(eye) ? 1 : 0);
+    program->SetUniformf(InstanceName("mediumPlace", i),
       static_cast<float>(RayGeometry(drawing.View).Distance() - plane));
   }
   glDrawArrays(GL_TRIANGLES, 0, 3);

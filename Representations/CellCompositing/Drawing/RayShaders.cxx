@@ -36,12 +36,12 @@ namespace nephoscope
 {
 namespace
 {
-std::string withTetrahedra(const std::string& shader, TetrahedronTopology topology)
+std::string WithTetrahedra(const std::string& shader, TetrahedronTopology topology)
 {
   const char* text = topology == TetrahedronTopology::Grid ? ChessboardTopologyShader
     : topology == TetrahedronTopology::Hexahedra           ? DividedHexahedraShader
                                                            : NeighborTopologyShader;
-  return withShaderParts(shader,
+  return WithShaderParts(shader,
     { { "RayTetrahedron", RayTetrahedronShader }, { "RayStart", RayStartShader },
       { "RaySurfaces", RaySurfacesShader }, { "Topology", text }, { "GridCells", GridCellsShader },
       { "TetrahedronWalk", TetrahedronWalkShader }, { "RaySegments", RaySegmentsShader },
@@ -51,15 +51,15 @@ std::string withTetrahedra(const std::string& shader, TetrahedronTopology topolo
 }
 }
 
-std::string tetrahedraShader(TetrahedronTopology topology)
+std::string TetrahedraShader(TetrahedronTopology topology)
 {
-  return withTetrahedra(
-    withShaderParts(RayCellsFragment, { { "RayEntry", RayEntryShader } }), topology);
+  return WithTetrahedra(
+    WithShaderParts(RayCellsFragment, { { "RayEntry", RayEntryShader } }), topology);
 }
 
-std::string hexahedraShader(bool structured)
+std::string HexahedraShader(bool structured)
 {
-  return withShaderParts(RayHexahedraFragment,
+  return WithShaderParts(RayHexahedraFragment,
     { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader },
       { "GridCells", GridCellsShader }, { "HexahedronWalk", HexahedronWalkShader },
       { "HexahedronContours", HexahedronContoursShader }, { "CubicContours", CubicContoursShader },
@@ -69,20 +69,20 @@ std::string hexahedraShader(bool structured)
       { "CameraLight", CameraLightShader } });
 }
 
-std::string voxelsShader()
+std::string VoxelsShader()
 {
-  return withShaderParts(RayVoxelsFragment,
+  return WithShaderParts(RayVoxelsFragment,
     { { "VoxelWalk", VoxelWalkShader }, { "VoxelContours", VoxelContoursShader },
       { "CubicContours", CubicContoursShader }, { "CubicPieces", CubicPiecesShader },
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
       { "RaySegments", RaySegmentsShader }, { "CameraLight", CameraLightShader } });
 }
 
-std::string mediumShader(TetrahedronTopology topology)
+std::string ShaderOfMedium(TetrahedronTopology topology)
 {
   const std::string walk = RayCellsFragment;
   const std::string text = walk.substr(0, walk.find("void main()")) + RayMediumShader;
-  return withShaderParts(withTetrahedra(text, topology),
+  return WithShaderParts(WithTetrahedra(text, topology),
     { { "RayEntry", "" }, { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The fragment shaders of rays, put together from their parts; constants are still to be defined (specializedShader). */
+/** The fragment shaders of rays, put together from their parts; constants are still to be defined (SpecializedShader). */
 #ifndef nephoscope_RayShaders_h
 #define nephoscope_RayShaders_h
 
@@ -18,13 +18,13 @@ enum class TetrahedronTopology
 };
 
 /** From tetrahedron to tetrahedron. */
-std::string tetrahedraShader(TetrahedronTopology topology);
+std::string TetrahedraShader(TetrahedronTopology topology);
 /** From hexahedron to hexahedron, in trilinear fields. */
-std::string hexahedraShader(bool structured);
+std::string HexahedraShader(bool structured);
 /** From cell to cell of a grid with evenly spaced points. */
-std::string voxelsShader();
+std::string VoxelsShader();
 /** The first as one of several media in a shader, without what all media have in common. */
-std::string mediumShader(TetrahedronTopology topology);
+std::string ShaderOfMedium(TetrahedronTopology topology);
 
 } // namespace nephoscope
 

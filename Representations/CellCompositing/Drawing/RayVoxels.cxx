@@ -31,16 +31,16 @@ namespace nephoscope
 {
 namespace
 {
-std::string voxelShader(const CellDrawing& drawing)
+std::string VoxelShader(const CellDrawing& drawing)
 {
-  return specializedShader(voxelsShader(),
+  return SpecializedShader(VoxelsShader(),
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
-      shaderConstant("trilinear", drawing.Options.Trilinear));
+      ShaderConstant("trilinear", drawing.Options.Trilinear));
 }
 
 // Each cell needs the scalars of two squares: two fetches instead of eight.
 template <class Scalar>
-std::string uploadSquares(vtkOpenGLRenderWindow* window, BufferTexture& buffer,
+std::string UploadSquares(vtkOpenGLRenderWindow* window, BufferTexture& buffer,
   const ChessboardGrid& grid, std::size_t count, const Scalar& scalarOf)
 {
   const std::size_t row = static_cast<std::size_t>(grid.Size[0]);
@@ -100,10 +100,10 @@ std::string RayVoxels::UploadScalars(vtkOpenGLRenderWindow* window, const CellGe
   const bool used = geometry.Lattice.Found && ofPoints;
   const std::vector<float>& opacities = geometry.OpacityScalars;
   const bool second = used && geometry.HasOpacityScalars && this->HasOpacity;
-  const std::string error = uploadSquares(window, this->Squares, geometry.Grid,
+  const std::string error = UploadSquares(window, this->Squares, geometry.Grid,
     used ? geometry.Points.size() : 0, [&](std::size_t i) { return geometry.Points[i].Scalar; });
   return error.empty()
-    ? uploadSquares(window, this->OpacitySquares, geometry.Grid, second ? opacities.size() : 0,
+    ? UploadSquares(window, this->OpacitySquares, geometry.Grid, second ? opacities.size() : 0,
         [&](std::size_t i) { return opacities[i]; })
     : error;
 }
@@ -112,7 +112,7 @@ std::string RayVoxels::UploadContoured(
   vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const std::vector<float>& scalars)
 {
   constexpr float missing = 3e38f;
-  return uploadSquares(window, this->ContourSquares, geometry.Grid,
+  return UploadSquares(window, this->ContourSquares, geometry.Grid,
     geometry.Lattice.Found ? scalars.size() : 0,
     [&](std::size_t i) { return std::isnan(scalars[i]) ? missing : scalars[i]; });
 }
@@ -179,7 +179,7 @@ std::string RayVoxels::Draw(const CellDrawing& drawing)
 {
   constexpr int maximumSteps = 1 << 16;
   vtkShaderProgram* program = drawing.Window->GetShaderCache()->ReadyShaderProgram(
-    RayCellsVertex, voxelShader(drawing).c_str(), "");
+    RayCellsVertex, VoxelShader(drawing).c_str(), "");
   if (!program)
   {
     return "the shaders did not compile";

@@ -32,7 +32,7 @@ struct SceneLight
     Cone; ///< 1 if positional, -1 if VTK's sole headlight; cosine of the cone angle, -2 without a cone; exponent
 };
 
-inline SceneLight describeLight(vtkLight* light, vtkMatrix4x4* worldToView)
+inline SceneLight DescribeLight(vtkLight* light, vtkMatrix4x4* worldToView)
 {
   double position[4], focus[4], color[3], attenuation[3];
   light->GetTransformedPosition(position);
@@ -61,7 +61,7 @@ inline SceneLight describeLight(vtkLight* light, vtkMatrix4x4* worldToView)
 }
 
 /** The lights that are switched on, the first maximumNumberOfLights of them. */
-inline std::vector<SceneLight> describeLights(vtkRenderer* renderer)
+inline std::vector<SceneLight> DescribeLights(vtkRenderer* renderer)
 {
   std::vector<SceneLight> lights;
   vtkMatrix4x4* worldToView = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
@@ -72,7 +72,7 @@ inline std::vector<SceneLight> describeLights(vtkRenderer* renderer)
   {
     if (light->GetSwitch() && lights.size() < maximumNumberOfLights)
     {
-      lights.push_back(describeLight(light, worldToView));
+      lights.push_back(DescribeLight(light, worldToView));
     }
   }
   vtkLight* first = vtkLight::SafeDownCast(all->GetItemAsObject(0));

@@ -12,13 +12,13 @@ namespace nephoscope
 {
 namespace
 {
-bool isNamePart(char c)
+bool IsNamePart(char c)
 {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
 /** Names, numbers and single characters, one after the other; a line of the preprocessor begins with '#'. Comments and blanks are tokens too. */
-std::vector<std::string> tokensOf(const std::string& text)
+std::vector<std::string> TokensOf(const std::string& text)
 {
   std::vector<std::string> tokens;
   for (std::size_t i = 0; i < text.size();)
@@ -28,10 +28,10 @@ std::vector<std::string> tokensOf(const std::string& text)
     {
       end = std::min(text.find('\n', i), text.size());
     }
-    else if (isNamePart(text[i]))
+    else if (IsNamePart(text[i]))
     {
       while (end < text.size() &&
-        (isNamePart(text[end]) ||
+        (IsNamePart(text[end]) ||
           (text[end] == '.' && std::isdigit(static_cast<unsigned char>(text[i])))))
       {
         ++end;
@@ -43,12 +43,12 @@ std::vector<std::string> tokensOf(const std::string& text)
   return tokens;
 }
 
-bool isName(const std::string& token)
+bool IsName(const std::string& token)
 {
-  return isNamePart(token[0]) && !std::isdigit(static_cast<unsigned char>(token[0]));
+  return IsNamePart(token[0]) && !std::isdigit(static_cast<unsigned char>(token[0]));
 }
 
-bool isBlank(const std::string& token)
+bool IsBlank(const std::string& token)
 {
   return std::isspace(static_cast<unsigned char>(token[0])) || token.compare(0, 2, "//") == 0;
 }
@@ -65,7 +65,7 @@ public:
       {
         i = this->ReadDirective(tokens, i + 1);
       }
-      else if (!isBlank(tokens[i]))
+      else if (!IsBlank(tokens[i]))
       {
         this->Read(tokens[i]);
       }
@@ -80,7 +80,7 @@ private:
     const bool defines = tokens[i] == "define";
     for (bool named = false; i < tokens.size() && tokens[i] != "\n"; ++i)
     {
-      if (defines && !named && isName(tokens[i]) && tokens[i] != "define")
+      if (defines && !named && IsName(tokens[i]) && tokens[i] != "define")
       {
         this->Names.insert(tokens[i]);
         named = true;
@@ -94,8 +94,8 @@ private:
   {
     const bool ends =
       token == "=" || token == ";" || token == "," || token == "[" || token == "(" || token == "{";
-    if (this->Depth == 0 && ends && isName(this->Last) &&
-      (this->BeforeLast == "struct" || this->BeforeLast == "," || isName(this->BeforeLast)) &&
+    if (this->Depth == 0 && ends && IsName(this->Last) &&
+      (this->BeforeLast == "struct" || this->BeforeLast == "," || IsName(this->BeforeLast)) &&
       (token != "{" || this->BeforeLast == "struct"))
     {
       this->Names.insert(this->Last);
@@ -111,7 +111,7 @@ private:
 };
 }
 
-const char* instanceName(const char* name, int number)
+const char* InstanceName(const char* name, int number)
 {
   if (number < 0)
   {
@@ -123,21 +123,21 @@ const char* instanceName(const char* name, int number)
   return names.insert(name + ("_" + std::to_string(number))).first->c_str();
 }
 
-std::string shaderInstance(const std::string& text, int number)
+std::string ShaderInstance(const std::string& text, int number)
 {
-  const std::vector<std::string> tokens = tokensOf(text);
+  const std::vector<std::string> tokens = TokensOf(text);
   const Declarations declared(tokens);
   std::string result;
   for (const std::string& token : tokens)
   {
-    const bool renamed = isName(token) && declared.Names.count(token) > 0;
+    const bool renamed = IsName(token) && declared.Names.count(token) > 0;
     result += token.compare(0, 2, "//") == 0 ? std::string() : token;
     result += renamed ? "_" + std::to_string(number) : std::string();
   }
   return result;
 }
 
-std::string callInstances(const std::string& function, const std::string& of,
+std::string CallInstances(const std::string& function, const std::string& of,
   const std::string& parameters, const std::string& arguments, int count)
 {
   std::string result = "void " + function + "(" + parameters + ")\n{\n";

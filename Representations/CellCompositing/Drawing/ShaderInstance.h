@@ -13,12 +13,12 @@ namespace nephoscope
 {
 
 /** "points" and 1: "points_1"; no number where it is negative. The text lasts: vtkShaderProgram keeps pointers to names of uniforms. */
-const char* instanceName(const char* name, int number);
+const char* InstanceName(const char* name, int number);
 
-std::string shaderInstance(const std::string& text, int number);
+std::string ShaderInstance(const std::string& text, int number);
 
 /** A function that calls one of all instances with the same arguments: addMedium_0(from, to), addMedium_1(from, to) and so on. */
-std::string callInstances(const std::string& function, const std::string& of,
+std::string CallInstances(const std::string& function, const std::string& of,
   const std::string& parameters, const std::string& arguments, int count);
 
 } // namespace nephoscope

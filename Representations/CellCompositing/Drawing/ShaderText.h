@@ -22,15 +22,15 @@
 namespace nephoscope
 {
 
-inline std::string shaderConstant(const char* name, bool value)
+inline std::string ShaderConstant(const char* name, bool value)
 {
   return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");
 }
 
-inline std::string specializedShader(const std::string& shader, const std::string& constants)
+inline std::string SpecializedShader(const std::string& shader, const std::string& constants)
 {
-  return withShaderParts(shader,
-    { { "Constants", constants }, { "Arrays", arrayDeclarations(currentArrayLayout()) },
+  return WithShaderParts(shader,
+    { { "Constants", constants }, { "Arrays", ArrayDeclarations(CurrentArrayLayout()) },
       { "TetrahedronInput", TetrahedronInputShader }, { "OpaqueDepth", OpaqueDepthShader },
       { "FaceNumber", FaceNumberShader }, { "OpticalSegment", OpticalSegmentShader },
       { "TransferFunction", TransferFunctionShader }, { "ContourSurfaces", ContourSurfacesShader },

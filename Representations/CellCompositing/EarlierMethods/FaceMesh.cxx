@@ -12,7 +12,7 @@ namespace nephoscope
 {
 namespace
 {
-std::array<std::int32_t, 3> outwardFace(
+std::array<std::int32_t, 3> OutwardFace(
   const CellGeometry& geometry, const Tetrahedron& t, int face)
 {
   std::array<std::int32_t, 3> points;
@@ -21,7 +21,7 @@ std::array<std::int32_t, 3> outwardFace(
     points[k] = t[tetrahedronFaces[face][k]];
   }
   const Vector3 inside = geometry.Position(t[face]);
-  const double side = planeSide(geometry.Position(points[0]), geometry.Position(points[1]),
+  const double side = PlaneSide(geometry.Position(points[0]), geometry.Position(points[1]),
     geometry.Position(points[2]), { { inside[0], inside[1], inside[2], 1.0 } });
   if (side > 0)
   {
@@ -30,7 +30,7 @@ std::array<std::int32_t, 3> outwardFace(
   return points;
 }
 
-std::array<std::int32_t, 3> pointsOf(
+std::array<std::int32_t, 3> PointsOf(
   const Tetrahedron& t, std::array<std::int32_t, 3> face, const FaceNeighbors& neighbors)
 {
   const std::vector<std::int32_t>& places = neighbors.GetPlaces();
@@ -60,11 +60,11 @@ void FaceMesh::Build(const CellGeometry& geometry)
       {
         continue; // the neighbour has listed it
       }
-      const auto points = outwardFace(geometry, geometry.Tetrahedra[i], face);
+      const auto points = OutwardFace(geometry, geometry.Tetrahedra[i], face);
       this->Faces.push_back({ points, self, neighbor,
         neighbor < 0
           ? points
-          : pointsOf(geometry.Tetrahedra[static_cast<std::size_t>(neighbor)], points, neighbors) });
+          : PointsOf(geometry.Tetrahedra[static_cast<std::size_t>(neighbor)], points, neighbors) });
     }
   }
 }

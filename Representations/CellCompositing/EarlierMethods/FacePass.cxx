@@ -24,7 +24,7 @@ const char* const copyShader = "//VTK::System::Dec\n"
                                "uniform sampler2D picture;\n"
                                "void main() { gl_FragData[0] = texture(picture, texCoord); }\n";
 
-std::vector<float> readDepth(
+std::vector<float> ReadDepth(
   vtkOpenGLState* state, vtkTextureObject* texture, int width, int height)
 {
   std::vector<float> depth(static_cast<std::size_t>(width) * height);
@@ -60,7 +60,7 @@ std::string FacePass::Draw(vtkOpenGLRenderWindow* window, const CellScene& scene
   const FaceView faceView(view.ModelToView, view.ViewToDevice, view.EyeView, width, height);
   this->Projection.Build(geometry, this->Mesh, visible, faceView, sorted);
 
-  const std::vector<float> depth = readDepth(window->GetState(), opaqueDepth, width, height);
+  const std::vector<float> depth = ReadDepth(window->GetState(), opaqueDepth, width, height);
   FaceSweep::Scene sweep;
   sweep.Geometry = &geometry;
   sweep.Color = scene.GetTransferFunctions().data();

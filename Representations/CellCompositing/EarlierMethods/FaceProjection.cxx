@@ -18,7 +18,7 @@ namespace nephoscope
 //------------------------------------------------------------------------------------------------
 namespace
 {
-Vector4 transformed(const std::array<double, 16>& m, const Vector3& p)
+Vector4 Transformed(const std::array<double, 16>& m, const Vector3& p)
 {
   Vector4 result;
   for (std::size_t r = 0; r < 4; ++r)
@@ -49,26 +49,26 @@ FaceView::FaceView(vtkMatrix4x4* modelToView, vtkMatrix4x4* viewToDevice, const 
 
 Vector3 FaceView::ViewPosition(const Vector3& p) const
 {
-  const Vector4 view = transformed(this->ModelToView, p);
+  const Vector4 view = Transformed(this->ModelToView, p);
   return { { view[0], view[1], view[2] } };
 }
 
 double FaceView::Distance(const Vector3& p) const
 {
-  const Vector3 d = difference(this->ViewPosition(p), this->Eye);
-  return this->Perspective ? std::sqrt(dot(d, d)) : -d[2];
+  const Vector3 d = Difference(this->ViewPosition(p), this->Eye);
+  return this->Perspective ? std::sqrt(Dot(d, d)) : -d[2];
 }
 
 FaceView::Place FaceView::Project(const Vector3& p) const
 {
-  const Vector4 clip = transformed(this->ModelToDevice, p);
+  const Vector4 clip = Transformed(this->ModelToDevice, p);
   return { 0.5 * (clip[0] / clip[3] + 1) * this->Width,
     0.5 * (clip[1] / clip[3] + 1) * this->Height, this->Depth(p) };
 }
 
 Vector3 FaceView::ViewPointOfPixel(int x, int y, double deviceZ) const
 {
-  const Vector4 view = transformed(this->DeviceToView,
+  const Vector4 view = Transformed(this->DeviceToView,
     { { 2 * (x + 0.5) / this->Width - 1, 2 * (y + 0.5) / this->Height - 1, deviceZ } });
   return { { view[0] / view[3], view[1] / view[3], view[2] / view[3] } };
 }
@@ -81,12 +81,12 @@ double FaceView::DepthOfBuffer(int x, int y, double depth) const
 double FaceView::Stretch(int x, int y) const
 {
   const Vector3 along =
-    difference(this->ViewPointOfPixel(x, y, 1), this->ViewPointOfPixel(x, y, -1));
-  return std::sqrt(dot(along, along)) / std::abs(along[2]);
+    Difference(this->ViewPointOfPixel(x, y, 1), this->ViewPointOfPixel(x, y, -1));
+  return std::sqrt(Dot(along, along)) / std::abs(along[2]);
 }
 
 //------------------------------------------------------------------------------------------------
-std::array<std::int64_t, 2> snapped(const FaceView::Place& place)
+std::array<std::int64_t, 2> SnappedPlace(const FaceView::Place& place)
 {
   const double limit = 1 << 20; // pixels; the products of the coordinates then fit in 64 bits
   const auto snap = [limit](double x) {
@@ -99,10 +99,10 @@ std::array<std::int64_t, 2> snapped(const FaceView::Place& place)
 namespace
 {
 /** Twice the area on the screen, positive where the points go round counterclockwise. */
-std::int64_t screenArea(
+std::int64_t ScreenArea(
   const FaceView::Place& a, const FaceView::Place& b, const FaceView::Place& c)
 {
-  const auto p = snapped(a), q = snapped(b), r = snapped(c);
+  const auto p = SnappedPlace(a), q = SnappedPlace(b), r = SnappedPlace(c);
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 }
@@ -225,7 +225,7 @@ private:
   }
   std::int64_t Area(const std::array<std::int32_t, 3>& p) const
   {
-    return screenArea(this->Point(p[0]).Place, this->Point(p[1]).Place, this->Point(p[2]).Place);
+    return ScreenArea(this->Point(p[0]).Place, this->Point(p[1]).Place, this->Point(p[2]).Place);
   }
 
   /** The distance of the centroid, as the rule of the method has it. */
@@ -248,7 +248,7 @@ private:
     const double z0 = this->Point(low).Place.Z, z1 = this->Point(high).Place.Z;
     const double t = (this->View.GetNear() - z0) / (z1 - z0);
     const Vector3 p = this->Geometry.Position(low),
-                  d = difference(this->Geometry.Position(high), p);
+                  d = Difference(this->Geometry.Position(high), p);
     ScreenPoint cut;
     cut.Place = this->View.Project({ { p[0] + t * d[0], p[1] + t * d[1], p[2] + t * d[2] } });
     cut.Place.Z = this->View.GetNear();

@@ -82,7 +82,7 @@ struct ScreenFace
 
 /** Pixel coordinates in steps of 1/1024 are whole numbers: which pixels a face covers is decided without rounding. */
 constexpr int stepsPerPixel = 1024;
-std::array<std::int64_t, 2> snapped(const FaceView::Place& place);
+std::array<std::int64_t, 2> SnappedPlace(const FaceView::Place& place);
 
 class FaceProjection
 {

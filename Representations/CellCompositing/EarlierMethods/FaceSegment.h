@@ -37,13 +37,13 @@ constexpr double largestStep = 300;
 
 /** Optical depths at the nearer and the farther end, >= 0; `takeBack`: the segment is removed, not added. */
 template <typename Real>
-SegmentStep<Real> faceSegmentStep(Real tauNear, Real tauFar, bool takeBack, bool average)
+SegmentStep<Real> FaceSegmentStep(Real tauNear, Real tauFar, bool takeBack, bool average)
 {
   const Real mean = Real(0.5) * (tauNear + tauFar);
   const Real scale = mean > Real(largestStep) ? Real(largestStep) / mean : Real(1);
   const Real depth = scale * mean;
-  SegmentWeights<Real> weights = average ? averageSegmentWeights(scale * tauNear, scale * tauFar)
-                                         : exactSegmentWeights(scale * tauNear, scale * tauFar);
+  SegmentWeights<Real> weights = average ? AverageSegmentWeights(scale * tauNear, scale * tauFar)
+                                         : ExactSegmentWeights(scale * tauNear, scale * tauFar);
   const Real alpha = -std::expm1(-depth);
   const Real correction =
     weights.Alpha() > 0 ? alpha / weights.Alpha() : Real(1); // so that one colour stays that colour

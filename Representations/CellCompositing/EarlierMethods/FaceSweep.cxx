@@ -25,7 +25,7 @@ struct Medium
   double Extinction = 0;
 };
 
-Medium mix(const Medium& a, const Medium& b, double t)
+Medium Mix(const Medium& a, const Medium& b, double t)
 {
   Medium m;
   for (std::size_t c = 0; c < 4; ++c)
@@ -66,7 +66,7 @@ public:
     {
       this->Corners[k] = &projection.GetPoints()[static_cast<std::size_t>(face.Points[k])];
       this->Others[k] = &projection.GetPoints()[static_cast<std::size_t>(face.OtherPoints[k])];
-      this->Snapped[k] = snapped(this->Corners[k]->Place);
+      this->Snapped[k] = SnappedPlace(this->Corners[k]->Place);
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
@@ -341,11 +341,11 @@ private:
     const auto at = [&](double place) {
       return place == z    ? now
         : place == pixel.Z ? pixel.Last
-                           : mix(now, pixel.Last, (place - z) / (pixel.Z - z));
+                           : Mix(now, pixel.Last, (place - z) / (pixel.Z - z));
     };
     const Medium near = at(std::min(zNow, zLast)), far = at(std::max(zNow, zLast));
     const double length = pixel.Crossings * (zLast - zNow) * pixel.Stretch; // signed
-    const auto step = faceSegmentStep(std::abs(length) * near.Extinction,
+    const auto step = FaceSegmentStep(std::abs(length) * near.Extinction,
       std::abs(length) * far.Extinction, length < 0, this->Scene.AverageIntegration);
     for (std::size_t c = 0; c < 4; ++c)
     {

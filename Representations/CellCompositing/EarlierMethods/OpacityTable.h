@@ -15,7 +15,7 @@ constexpr int opacityTableEntries = 1024;
 constexpr double opacityTableEnd = 16;
 
 /** 1 - exp(-u) at equal steps of u from 0 to `end`. */
-inline std::vector<float> makeOpacityTable(
+inline std::vector<float> MakeOpacityTable(
   int entries = opacityTableEntries, double end = opacityTableEnd)
 {
   std::vector<float> table;

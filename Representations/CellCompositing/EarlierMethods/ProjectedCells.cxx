@@ -28,16 +28,16 @@ namespace nephoscope
 {
 namespace
 {
-std::array<float, 4> toFloat(const double v[4])
+std::array<float, 4> ToFloat(const double v[4])
 {
   std::array<float, 4> result;
   std::copy(v, v + 4, result.begin());
   return result;
 }
 
-std::string cellShader(const char* shader, const std::string& constants)
+std::string CellShader(const char* shader, const std::string& constants)
 {
-  return specializedShader(withTriangleShaders(shader), constants);
+  return SpecializedShader(WithTriangleShaders(shader), constants);
 }
 }
 
@@ -47,7 +47,7 @@ ProjectedCells::~ProjectedCells() = default;
 std::string ProjectedCells::UploadGeometry(
   vtkOpenGLRenderWindow* window, const CellGeometry& geometry)
 {
-  const std::vector<float> table = makeOpacityTable();
+  const std::vector<float> table = MakeOpacityTable();
   const std::string error =
     this->AlphaTable.Upload(window, table.data(), table.size(), 1, VTK_FLOAT);
   const std::vector<Tetrahedron> list = geometry.Tetrahedra.Copy();
@@ -65,12 +65,12 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
 {
   const CellMethod method = drawing.Options.Method;
   const std::string constants = drawing.ShaderConstants() +
-    shaderConstant("linearOpacity", method == CellMethod::TrianglesLinear);
-  const bool triangles = drawsTriangles(method);
+    ShaderConstant("linearOpacity", method == CellMethod::TrianglesLinear);
+  const bool triangles = DrawsTriangles(method);
   vtkShaderProgram* program = drawing.Window->GetShaderCache()->ReadyShaderProgram(
     CellCompositingVertex,
-    cellShader(triangles ? triangleFragmentShader() : CellCompositingFragment, constants).c_str(),
-    cellShader(triangles ? triangleGeometryShader() : CellCompositingGeometry, constants).c_str());
+    CellShader(triangles ? TriangleFragmentShader() : CellCompositingFragment, constants).c_str(),
+    CellShader(triangles ? TriangleGeometryShader() : CellCompositingGeometry, constants).c_str());
   if (!program)
   {
     return "the shaders did not compile";
@@ -88,12 +88,12 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   program->SetUniformf("alphaTableEnd", static_cast<float>(opacityTableEnd));
   program->SetUniformi("alphaTableLast", opacityTableEntries - 1);
   program->SetUniformf("smallestEyeDepth",
-    static_cast<float>(smallestEyeDepth(drawing.View.EyeView, drawing.View.ViewToDevice)));
-  program->SetUniform4f("eyeMC", toFloat(drawing.View.EyeModel).data());
+    static_cast<float>(SmallestEyeDepth(drawing.View.EyeView, drawing.View.ViewToDevice)));
+  program->SetUniform4f("eyeMC", ToFloat(drawing.View.EyeModel).data());
   const float halfViewport[2] = { 0.5f * static_cast<float>(drawing.Viewport[2]),
     0.5f * static_cast<float>(drawing.Viewport[3]) };
   program->SetUniform2f("halfViewport", halfViewport);
-  program->SetUniform4f("eyeVC", toFloat(drawing.View.EyeView).data());
+  program->SetUniform4f("eyeVC", ToFloat(drawing.View.EyeView).data());
 
   // Back faces in front of the near plane or behind the far plane still end segments inside: clamp, do not clip.
   const bool clamped = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;

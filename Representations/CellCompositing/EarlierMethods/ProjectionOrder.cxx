@@ -12,7 +12,7 @@ namespace nephoscope
 namespace
 {
 /** Larger is farther. */
-double farness(const CellGeometry& geometry, std::size_t tetrahedron, const Vector4& eye)
+double Farness(const CellGeometry& geometry, std::size_t tetrahedron, const Vector4& eye)
 {
   const std::array<Vector3, 4> p = geometry.Vertices(tetrahedron);
   Vector3 d;
@@ -20,16 +20,16 @@ double farness(const CellGeometry& geometry, std::size_t tetrahedron, const Vect
   {
     d[axis] = 0.25 * (p[0][axis] + p[1][axis] + p[2][axis] + p[3][axis]) - eye[3] * eye[axis];
   }
-  return eye[3] == 0.0 ? -dot(d, { { eye[0], eye[1], eye[2] } }) : dot(d, d);
+  return eye[3] == 0.0 ? -Dot(d, { { eye[0], eye[1], eye[2] } }) : Dot(d, d);
 }
 
 /** Those that are equally far in input order. */
-bool sortByCentroid(const CellGeometry& geometry, const Vector4& eye,
+bool SortByCentroid(const CellGeometry& geometry, const Vector4& eye,
   std::vector<std::int32_t>& order, const Progress& progress)
 {
   std::vector<float> far(geometry.Tetrahedra.size());
-  const bool done = forEach(far.size(), progress,
-    [&](std::size_t i) { far[i] = static_cast<float>(farness(geometry, i, eye)); });
+  const bool done = ForEachIndex(far.size(), progress,
+    [&](std::size_t i) { far[i] = static_cast<float>(Farness(geometry, i, eye)); });
   vtkSMPTools::Sort(order.begin(), order.end(), [&far](std::int32_t a, std::int32_t b) {
     const float fa = far[static_cast<std::size_t>(a)], fb = far[static_cast<std::size_t>(b)];
     return fa > fb || (fa == fb && a < b);
@@ -49,8 +49,8 @@ public:
 
   bool Find(const CellGeometry& geometry, const Vector4& eye, const Progress& progress)
   {
-    const double error = findCoordinateError(geometry);
-    return forEach(this->Flags.size(), progress,
+    const double error = FindCoordinateError(geometry);
+    return ForEachIndex(this->Flags.size(), progress,
       [&](std::size_t i) { this->Flags[i] = this->FlagsOf(geometry, i, eye, error); });
   }
 
@@ -74,8 +74,8 @@ private:
       const auto& f = tetrahedronFaces[face];
       const Vector3& apex = p[static_cast<std::size_t>(face)];
       const double own =
-        planeSide(p[f[0]], p[f[1]], p[f[2]], { { apex[0], apex[1], apex[2], 1.0 } });
-      const int eyeSide = planeSideWithin(p[f[0]], p[f[1]], p[f[2]], eye, error);
+        PlaneSide(p[f[0]], p[f[1]], p[f[2]], { { apex[0], apex[1], apex[2], 1.0 } });
+      const int eyeSide = PlaneSideWithin(p[f[0]], p[f[1]], p[f[2]], eye, error);
       const bool hides =
         this->Faces.Get(tetrahedron, face) != FaceNeighbors::None && eyeSide * own > 0;
       flags |= hides << face;
@@ -104,7 +104,7 @@ public:
     const std::vector<std::int32_t> starts(std::move(this->Order.Tetrahedra));
     this->Order.Tetrahedra.clear();
     this->Order.Tetrahedra.reserve(starts.size());
-    const bool done = forEachInTurn(starts.size(), progress, [&](std::size_t i) {
+    const bool done = ForEachInTurn(starts.size(), progress, [&](std::size_t i) {
       if (this->LowOf(starts[i]) == 0)
       {
         this->Visit(starts[i]);
@@ -228,7 +228,7 @@ bool ProjectionOrder::Sort(Kind kind, const CellGeometry& geometry, const FaceNe
   this->Tetrahedra.resize(geometry.Tetrahedra.size());
   std::iota(this->Tetrahedra.begin(), this->Tetrahedra.end(), 0);
   bool done =
-    kind == Kind::None || sortByCentroid(geometry, eye, this->Tetrahedra, progress.Part(0, 0.4));
+    kind == Kind::None || SortByCentroid(geometry, eye, this->Tetrahedra, progress.Part(0, 0.4));
   if (done && kind == Kind::Topological)
   {
     Relations relations(geometry, faces);

@@ -19,23 +19,23 @@
 namespace nephoscope
 {
 
-const char* triangleGeometryShader()
+const char* TriangleGeometryShader()
 {
   return CellTrianglesGeometry;
 }
 
-const char* triangleFragmentShader()
+const char* TriangleFragmentShader()
 {
   return CellTrianglesFragment;
 }
 
-std::string withTriangleShaders(const char* shader)
+std::string WithTriangleShaders(const char* shader)
 {
-  return withShaderParts(shader,
+  return WithShaderParts(shader,
     { { "ProjectedTriangles", ProjectedTrianglesShader }, { "OpacityTable", OpacityTableShader } });
 }
 
-double smallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice)
+double SmallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice)
 {
   vtkNew<vtkMatrix4x4> deviceToView;
   vtkMatrix4x4::Invert(viewToDevice, deviceToView);
@@ -45,14 +45,14 @@ double smallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice)
   return 0.1 * (eyeView[3] * eyeView[2] - near[2] / near[3]);
 }
 
-std::int64_t countUnprojected(const CellGeometry& geometry, const std::vector<std::int32_t>& drawn,
+std::int64_t CountUnprojected(const CellGeometry& geometry, const std::vector<std::int32_t>& drawn,
   vtkMatrix4x4* modelToView, const double eyeView[4], vtkMatrix4x4* viewToDevice)
 {
   if (eyeView[3] == 0)
   {
     return 0; // a parallel projection projects everything
   }
-  const double smallest = smallestEyeDepth(eyeView, viewToDevice);
+  const double smallest = SmallestEyeDepth(eyeView, viewToDevice);
   const double* row = modelToView->GetData() + 8;
   const auto projects = [&](std::int32_t point) {
     const Vector3 p = geometry.Position(point);

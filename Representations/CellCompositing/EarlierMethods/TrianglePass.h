@@ -20,22 +20,22 @@ namespace nephoscope
 
 class CellGeometry;
 
-inline bool drawsTriangles(CellMethod method)
+inline bool DrawsTriangles(CellMethod method)
 {
   return method == CellMethod::TrianglesLinear || method == CellMethod::TrianglesTable;
 }
 
 /** Sources with the marks that CellCompositingPass fills in. */
-const char* triangleGeometryShader();
-const char* triangleFragmentShader();
+const char* TriangleGeometryShader();
+const char* TriangleFragmentShader();
 /** The shader with the marks filled in that are those of the triangles alone. */
-std::string withTriangleShaders(const char* shader);
+std::string WithTriangleShaders(const char* shader);
 
 /** A vertex nearer to the plane of the eye than this counts as not projectable: a tenth of the near plane's distance. */
-double smallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice);
+double SmallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice);
 
 /** How many of the drawn tetrahedra have such a vertex: they are left out. */
-std::int64_t countUnprojected(const CellGeometry& geometry, const std::vector<std::int32_t>& drawn,
+std::int64_t CountUnprojected(const CellGeometry& geometry, const std::vector<std::int32_t>& drawn,
   vtkMatrix4x4* modelToView, const double eyeView[4], vtkMatrix4x4* viewToDevice);
 
 } // namespace nephoscope

@@ -21,14 +21,14 @@ namespace nephoscope
 using BoundaryFace = std::array<std::int32_t, 4>;
 
 /** False for a face that cannot be distinguished from an edge in pixels or in float. */
-inline bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
+inline bool HasExtent(const CellGeometry& geometry, const BoundaryFace& face)
 {
   const Vector3 a = geometry.Position(face[0]), b = geometry.Position(face[1]),
                 c = geometry.Position(face[2]);
-  const Vector3 edges[3] = { difference(b, a), difference(c, b), difference(a, c) };
-  const Vector3 normal = cross(edges[0], edges[1]);
+  const Vector3 edges[3] = { Difference(b, a), Difference(c, b), Difference(a, c) };
+  const Vector3 normal = Cross(edges[0], edges[1]);
   const double longest =
-    std::max({ dot(edges[0], edges[0]), dot(edges[1], edges[1]), dot(edges[2], edges[2]) });
+    std::max({ Dot(edges[0], edges[0]), Dot(edges[1], edges[1]), Dot(edges[2], edges[2]) });
   double largest = 0;
   for (const Vector3& p : { a, b, c })
   {
@@ -36,7 +36,7 @@ inline bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
   }
   constexpr double thinnest = 1e-6; // height by length
   const double rounding = 0.5 * std::numeric_limits<float>::epsilon() * largest;
-  return dot(normal, normal) >
+  return Dot(normal, normal) >
     longest * std::min(rounding * rounding, thinnest * thinnest * longest);
 }
 
@@ -44,29 +44,29 @@ inline bool hasExtent(const CellGeometry& geometry, const BoundaryFace& face)
  * Makes the first three vertices run counterclockwise as seen from outside. The first one stays. Returns false if `inside` is so near their plane
  * that the side on which it lies is a matter of rounding.
  */
-inline bool turnOutwards(const CellGeometry& geometry, BoundaryFace& face, const Vector3& inside)
+inline bool TurnOutwards(const CellGeometry& geometry, BoundaryFace& face, const Vector3& inside)
 {
   const Vector3 a = geometry.Position(face[0]);
   const Vector3 normal =
-    cross(difference(geometry.Position(face[1]), a), difference(geometry.Position(face[2]), a));
-  const Vector3 inwards = difference(inside, a);
-  const double height = dot(normal, inwards);
+    Cross(Difference(geometry.Position(face[1]), a), Difference(geometry.Position(face[2]), a));
+  const Vector3 inwards = Difference(inside, a);
+  const double height = Dot(normal, inwards);
   if (height > 0)
   {
     std::swap(face[1], face[2]);
   }
   constexpr double rounding = 1e-4;
-  return height * height > rounding * rounding * dot(normal, normal) * dot(inwards, inwards);
+  return height * height > rounding * rounding * Dot(normal, normal) * Dot(inwards, inwards);
 }
 
 /** The same, the fourth vertex being inside. */
-inline bool turnOutwards(const CellGeometry& geometry, BoundaryFace& face)
+inline bool TurnOutwards(const CellGeometry& geometry, BoundaryFace& face)
 {
-  return turnOutwards(geometry, face, geometry.Position(face[3]));
+  return TurnOutwards(geometry, face, geometry.Position(face[3]));
 }
 
 /** The mean of the vertices of a cell of the grid. */
-inline Vector3 middleOfCell(const CellGeometry& geometry, const std::array<int, 3>& cell)
+inline Vector3 MiddleOfCell(const CellGeometry& geometry, const std::array<int, 3>& cell)
 {
   Vector3 sum{ { 0, 0, 0 } };
   for (int corner = 0; corner < 8; ++corner)
@@ -101,7 +101,7 @@ struct CellBox
 };
 
 /** The boundary of a box of cells of a structured grid: of each face the odd vertex, the two others, and the vertex inside. */
-inline std::vector<BoundaryFace> chessboardBoundary(
+inline std::vector<BoundaryFace> ChessboardBoundary(
   const CellGeometry& geometry, const CellBox& box)
 {
   const ChessboardGrid& grid = geometry.Grid;
@@ -115,9 +115,9 @@ inline std::vector<BoundaryFace> chessboardBoundary(
         const std::array<std::int64_t, 3> others = t.Across(axis);
         BoundaryFace face = { { std::int32_t(t.Odd), std::int32_t(others[0]),
           std::int32_t(others[1]), std::int32_t(others[2]) } };
-        if (!turnOutwards(geometry, face)) // at an axis where vertices coincide
+        if (!TurnOutwards(geometry, face)) // at an axis where vertices coincide
         {
-          turnOutwards(geometry, face, middleOfCell(geometry, cell));
+          TurnOutwards(geometry, face, MiddleOfCell(geometry, cell));
         }
         faces.push_back(face);
       }

@@ -26,7 +26,7 @@ public:
   bool Fill(std::size_t elements, std::size_t buckets, const Progress& progress, Visit visit)
   {
     std::vector<std::atomic<std::uint32_t>> counts(buckets);
-    if (!forEach(elements, progress.Part(0, 0.4), [&](std::size_t i) {
+    if (!ForEachIndex(elements, progress.Part(0, 0.4), [&](std::size_t i) {
           visit(i, [&](std::size_t bucket, const Item&) {
             counts[bucket].fetch_add(1, std::memory_order_relaxed);
           });
@@ -43,7 +43,7 @@ public:
     }
     this->Items.reset(
       new Item[this->First.back()]); // not set to anything: the threads that fill it touch it first
-    return forEach(elements, progress.Part(0.4, 1), [&](std::size_t i) {
+    return ForEachIndex(elements, progress.Part(0.4, 1), [&](std::size_t i) {
       visit(i, [&](std::size_t bucket, const Item& item) {
         this->Items[this->First[bucket] + counts[bucket].fetch_add(1, std::memory_order_relaxed)] =
           item;
@@ -55,7 +55,7 @@ public:
   template <typename Work>
   bool ForEach(const Progress& progress, Work work)
   {
-    return forEach(this->First.size() - 1, progress,
+    return ForEachIndex(this->First.size() - 1, progress,
       [&](std::size_t bucket) { work(this->Begin(bucket), this->End(bucket)); });
   }
 

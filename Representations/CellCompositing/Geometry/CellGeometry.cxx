@@ -21,14 +21,14 @@ namespace nephoscope
 namespace
 {
 // No volume but for rounding: coincident or coplanar vertices.
-bool isFlat(const CellGeometry& geometry, const Tetrahedron& t)
+bool IsFlat(const CellGeometry& geometry, const Tetrahedron& t)
 {
   const Vector3 a = geometry.Position(t[0]);
-  const Vector3 ab = difference(geometry.Position(t[1]), a);
-  const Vector3 ac = difference(geometry.Position(t[2]), a);
-  const Vector3 ad = difference(geometry.Position(t[3]), a);
-  const double box = std::sqrt(dot(ab, ab) * dot(ac, ac) * dot(ad, ad));
-  return std::abs(dot(cross(ab, ac), ad)) <= 1e-12 * box;
+  const Vector3 ab = Difference(geometry.Position(t[1]), a);
+  const Vector3 ac = Difference(geometry.Position(t[2]), a);
+  const Vector3 ad = Difference(geometry.Position(t[3]), a);
+  const double box = std::sqrt(Dot(ab, ab) * Dot(ac, ac) * Dot(ad, ad));
+  return std::abs(Dot(Cross(ab, ac), ad)) <= 1e-12 * box;
 }
 }
 
@@ -82,7 +82,7 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
         this->UseHexahedra(data, scalars, opacity, progress.Part(0.3, 1))));
   if (copied && !implied)
   {
-    this->Divisions = chessboardDivision(data);
+    this->Divisions = ChessboardDivision(data);
     implied = form >= Form::WholeCells &&
       this->UseDividedHexahedra(data, scalars, opacity, progress.Part(0.3, 1));
   }
@@ -135,7 +135,7 @@ bool CellGeometry::CopyPoints(vtkDataSet* data, const Progress& progress)
     return std::abs(d) < noise ? 0.0f : static_cast<float>(d);
   };
   this->Points.resize(static_cast<std::size_t>(data->GetNumberOfPoints()));
-  return forRanges(this->Points.size(), progress, [&](std::size_t begin, std::size_t end) {
+  return ForRanges(this->Points.size(), progress, [&](std::size_t begin, std::size_t end) {
     double x[3];
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -189,14 +189,14 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
   std::atomic<int> unsupportedType(0);
   ShapeCounts shapes;
   const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
-  const bool done = forRanges(n, progress, [&](std::size_t begin, std::size_t end) {
+  const bool done = ForRanges(n, progress, [&](std::size_t begin, std::size_t end) {
     CellWalker walker(data, *this, scalars, opacity);
     for (vtkIdType cell = static_cast<vtkIdType>(begin); cell < static_cast<vtkIdType>(end); ++cell)
     {
       std::int64_t& count = counts[static_cast<std::size_t>(cell) + 1];
       count = 0;
       const CellOutcome outcome =
-        walker.Walk(cell, [&](const Tetrahedron& t) { isFlat(*this, t) ? ++flat : ++count; });
+        walker.Walk(cell, [&](const Tetrahedron& t) { IsFlat(*this, t) ? ++flat : ++count; });
       invalid += outcome == CellOutcome::Invalid;
       nonConvex += outcome == CellOutcome::Decomposed && !walker.TetrahedraFillCell();
       warped += outcome == CellOutcome::Decomposed && walker.IsWarped() &&
@@ -238,14 +238,14 @@ bool CellGeometry::FillTetrahedra(vtkDataSet* data, const ScalarSelection& scala
   const ScalarSelection& opacity, const std::vector<std::int64_t>& first, const Progress& progress)
 {
   const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
-  return forRanges(n, progress, [&](std::size_t begin, std::size_t end) {
+  return ForRanges(n, progress, [&](std::size_t begin, std::size_t end) {
     CellWalker walker(data, *this, scalars, opacity);
     walker.SetFindsShapes(this->NumberOfMisnumberedCells > 0);
     for (vtkIdType cell = static_cast<vtkIdType>(begin); cell < static_cast<vtkIdType>(end); ++cell)
     {
       std::size_t next = static_cast<std::size_t>(first[static_cast<std::size_t>(cell)]);
       walker.Walk(cell, [&](const Tetrahedron& t) {
-        if (isFlat(*this, t))
+        if (IsFlat(*this, t))
         {
           return;
         }

@@ -76,7 +76,7 @@ public:
   std::vector<Point> Points;
   TetrahedronList Tetrahedra;
   std::vector<Hexahedron> Hexahedra; ///< in place of the list of tetrahedra unless it is empty
-  /** Each hexahedron stands for its five tetrahedra (chessboardPart), not for a field of its own. */
+  /** Each hexahedron stands for its five tetrahedra (ChessboardPart), not for a field of its own. */
   bool DividesHexahedra = false;
   std::int64_t TetrahedraOfHexahedra = 0; ///< into how many these could be divided
   GridLattice Lattice;                    ///< of the grid, where it is evenly spaced
@@ -119,7 +119,7 @@ public:
   /** Vertices of a tetrahedron of a hexahedron. */
   std::array<std::size_t, 4> PartCorners(int part) const
   {
-    return this->DividesHexahedra ? chessboardPart(part) : hexahedronPart(part);
+    return this->DividesHexahedra ? ChessboardPart(part) : HexahedronPart(part);
   }
   bool IsHidden(std::int64_t tetrahedron) const;
   ///@}

@@ -38,12 +38,12 @@ struct TetrahedronCorners
   }
   bool LieIn(const MediumBounds& box) const
   {
-    return std::all_of(this->X, this->X + 4, [&](const double* x) { return holdsPlace(box, x); });
+    return std::all_of(this->X, this->X + 4, [&](const double* x) { return HoldsPlace(box, x); });
   }
 };
 
 /** Its middle. */
-WeightedPlace weightedPlaceOf(TetrahedronCorners corners)
+WeightedPlace WeightedPlaceOf(TetrahedronCorners corners)
 {
   WeightedPlace place = {};
   double length = 0.0;
@@ -54,29 +54,29 @@ WeightedPlace weightedPlaceOf(TetrahedronCorners corners)
     place.Place[axis] = 0.25 * (x[0] + x[1] + x[2] + x[3]);
     length = std::max(length, *std::max_element(x, x + 4) - *std::min_element(x, x + 4));
   }
-  place.Weight = weightOfCell(corners.Volume(), length);
+  place.Weight = WeightOfCell(corners.Volume(), length);
   return place;
 }
 
 /** One tetrahedron, with mean values of its corners. */
-MediumMeasures::Part partOf(
+MediumMeasures::Part PartOf(
   TetrahedronCorners corners, const CellMedium& medium, vtkIdType cell, const PointIds& tetrahedron)
 {
   MediumMeasures::Part part = { NoMediumBounds, corners.Volume(), 0.0, 0.0 };
   for (std::size_t i = 0; i < 4; ++i)
   {
     const double value =
-      medium.Scalars ? scalarOf(medium.Scalars, medium.OnCells ? cell : tetrahedron[i]) : 0.0;
+      medium.Scalars ? ScalarOf(medium.Scalars, medium.OnCells ? cell : tetrahedron[i]) : 0.0;
     part.Scalar += 0.25 * value;
     part.Opacity += medium.Opacity && std::isfinite(value) ? 0.25 * medium.Opacity(value) : 0.0;
-    addPlace(part.Box, corners.X[i]);
+    ExtendBounds(part.Box, corners.X[i]);
   }
   return part;
 }
 
 /** Calls visit(point) for the points of the cells that are shown; of data without hidden ones for all points, which takes less time. */
 template <typename Visit>
-void forEachPlace(vtkDataSet* data, const Visit& visit)
+void ForEachPlace(vtkDataSet* data, const Visit& visit)
 {
   double x[3];
   if (!data->GetCellGhostArray() && !data->GetPointGhostArray())
@@ -101,7 +101,7 @@ void forEachPlace(vtkDataSet* data, const Visit& visit)
 }
 /** Calls visit(cell, tetrahedron) for about `most` of the cells that are shown. Returns for how many each of them stands. */
 template <typename Visit>
-double forChosenTetrahedra(vtkDataSet* data, vtkIdType most, const Visit& visit)
+double ForChosenTetrahedra(vtkDataSet* data, vtkIdType most, const Visit& visit)
 {
   const SampleChoice choice(data->GetNumberOfCells(), most);
   TetrahedronSource source(data);
@@ -118,69 +118,69 @@ double forChosenTetrahedra(vtkDataSet* data, vtkIdType most, const Visit& visit)
 }
 } // namespace
 
-MediumBounds boundsOfCells(vtkDataSet* data, const MediumBounds& box)
+MediumBounds BoundsOfCells(vtkDataSet* data, const MediumBounds& box)
 {
   MediumBounds bounds = NoMediumBounds;
   if (data && data->GetNumberOfCells() > 0)
   {
-    forEachPlace(data, [&](const double* place) {
-      if (holdsPlace(box, place))
+    ForEachPlace(data, [&](const double* place) {
+      if (HoldsPlace(box, place))
       {
-        addPlace(bounds, place);
+        ExtendBounds(bounds, place);
       }
     });
   }
   return bounds;
 }
 
-MediumBounds robustBoundsOfCells(vtkDataSet* data, const MediumReduction& over)
+MediumBounds RobustBoundsOfCells(vtkDataSet* data, const MediumReduction& over)
 {
   std::vector<WeightedPlace> places;
   if (data)
   {
     const auto standing = static_cast<double>(
       SampleChoice(data->GetNumberOfCells(), enoughPlaces).Standing()); // differs between processes
-    forChosenTetrahedra(data, enoughPlaces, [&](vtkIdType, const PointIds& tetrahedron) {
-      places.push_back(weightedPlaceOf({ data, tetrahedron }));
+    ForChosenTetrahedra(data, enoughPlaces, [&](vtkIdType, const PointIds& tetrahedron) {
+      places.push_back(WeightedPlaceOf({ data, tetrahedron }));
       places.back().Weight *= standing;
       places.back().Number = standing;
     });
   }
-  return robustBounds(
-    places, [&](const MediumBounds& box) { return boundsOfCells(data, box); }, over);
+  return RobustBounds(
+    places, [&](const MediumBounds& box) { return BoundsOfCells(data, box); }, over);
 }
 
-MediumMeasures measureCells(vtkDataSet* data, const CellMedium& medium, const MediumBounds& common)
+MediumMeasures MeasureCells(vtkDataSet* data, const CellMedium& medium, const MediumBounds& common)
 {
   MediumMeasures measures;
   if (!data || data->GetNumberOfCells() == 0)
   {
     return measures;
   }
-  forEachPlace(data, [&](const double* place) {
-    addPlace(measures.Bounds, place);
-    if (holdsPlace(common, place))
+  ForEachPlace(data, [&](const double* place) {
+    ExtendBounds(measures.Bounds, place);
+    if (HoldsPlace(common, place))
     {
       measures.AddPlace(common, place, noExtent);
     }
   });
   const double scale =
-    forChosenTetrahedra(data, enoughCells, [&](vtkIdType cell, const PointIds& tetrahedron) {
+    ForChosenTetrahedra(data, enoughCells, [&](vtkIdType cell, const PointIds& tetrahedron) {
       TetrahedronCorners corners(data, tetrahedron);
       if (corners.LieIn(common))
       {
-        measures.AddPart(common, partOf(corners, medium, cell, tetrahedron));
+        measures.AddPart(common, PartOf(corners, medium, cell, tetrahedron));
       }
     });
   measures.Scale(scale);
   if (medium.Scalars && scale > 0.0)
   {
-    findFiniteRange(medium.Scalars, measures.ScalarRange);
+    FindFiniteRange(medium.Scalars, measures.ScalarRange);
   }
   return measures;
 }
 
-bool holdsVolume(vtkDataSet* data)
+bool HoldsVolume(vtkDataSet* data)
 {
   if (!data)
   {

@@ -15,11 +15,11 @@ namespace nephoscope
 {
 
 /** Bounds of the finite points, in a box, of the cells that are shown. `data` may be null. */
-VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds boundsOfCells(
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds BoundsOfCells(
   vtkDataSet* data, const MediumBounds& box = WholeMedium);
 
 /** The same of all processes, without parts that are few and far away. */
-VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds robustBoundsOfCells(
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds RobustBoundsOfCells(
   vtkDataSet* data, const MediumReduction& over = {});
 
 /** Measures of cells. Scalars may be null; vectors count by their magnitude. The opacity may be empty. */
@@ -31,11 +31,11 @@ struct CellMedium
 };
 
 /** Measures a piece, which may be null, as far as it lies in the bounds of all pieces. Integrals come from about 1e5 cells. */
-VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumMeasures measureCells(
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumMeasures MeasureCells(
   vtkDataSet* data, const CellMedium& medium, const MediumBounds& common);
 
 /** Whether a cell that is shown has a volume; looks at every cell until it finds one. `data` may be null. */
-VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT bool holdsVolume(vtkDataSet* data);
+VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT bool HoldsVolume(vtkDataSet* data);
 
 } // namespace nephoscope
 

@@ -31,8 +31,8 @@ public:
       d.begin(), d.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
     Vector3 axis = { { 0, 0, 0 } };
     axis[static_cast<std::size_t>(least - d.begin())] = 1;
-    this->Normals[0] = cross(d, axis);
-    this->Normals[1] = cross(d, this->Normals[0]);
+    this->Normals[0] = Cross(d, axis);
+    this->Normals[1] = Cross(d, this->Normals[0]);
   }
 
   bool Miss(const std::array<Vector3, 4>& p) const
@@ -41,7 +41,7 @@ public:
       int before = 0, behind = 0;
       for (const Vector3& x : p)
       {
-        const double side = dot(normal, difference(x, this->Start));
+        const double side = Dot(normal, Difference(x, this->Start));
         before += side > 0;
         behind += side < 0;
       }
@@ -54,12 +54,12 @@ private:
   std::array<Vector3, 2> Normals;
 };
 
-bool findCrossing(const std::array<Vector3, 4>& p, const PickRay& ray, Crossing& c)
+bool FindCrossing(const std::array<Vector3, 4>& p, const PickRay& ray, Crossing& c)
 {
   const Vector4 start = { { ray.Start[0], ray.Start[1], ray.Start[2], 1.0 } };
   const Vector4 direction = { { ray.Direction[0], ray.Direction[1], ray.Direction[2], 0.0 } };
-  c.Weights = eyeCoordinates(p, start);
-  c.Slopes = eyeCoordinates(p, direction);
+  c.Weights = EyeCoordinates(p, start);
+  c.Slopes = EyeCoordinates(p, direction);
   c.Begin = ray.Begin;
   c.End = ray.End;
   for (std::size_t i = 0; i < 4; ++i)
@@ -75,7 +75,7 @@ bool findCrossing(const std::array<Vector3, 4>& p, const PickRay& ray, Crossing&
   return c.Begin < c.End;
 }
 
-std::vector<Crossing> findCrossings(const CellGeometry& geometry, const PickRay& ray)
+std::vector<Crossing> FindCrossings(const CellGeometry& geometry, const PickRay& ray)
 {
   const SidesOfRay sides(ray);
   std::vector<Crossing> crossings;
@@ -91,7 +91,7 @@ std::vector<Crossing> findCrossings(const CellGeometry& geometry, const PickRay&
       }
       Crossing crossing;
       crossing.Tetrahedron = i;
-      if (!sides.Miss(p) && !geometry.IsHidden(i) && findCrossing(p, ray, crossing))
+      if (!sides.Miss(p) && !geometry.IsHidden(i) && FindCrossing(p, ray, crossing))
       {
         const std::lock_guard<std::mutex> lock(mutex);
         crossings.push_back(crossing);
@@ -105,7 +105,7 @@ std::vector<Crossing> findCrossings(const CellGeometry& geometry, const PickRay&
   return crossings;
 }
 
-std::int64_t valueNumber(const CellGeometry& geometry, std::int64_t tetrahedron)
+std::int64_t ValueNumber(const CellGeometry& geometry, std::int64_t tetrahedron)
 {
   return !geometry.Hexahedra.empty() ? tetrahedron / geometry.TetrahedraPerHexahedron()
     : geometry.Grid.IsEmpty()        ? tetrahedron
@@ -121,7 +121,7 @@ public:
     , Medium(medium)
     , At(crossing)
     , Points(geometry.PointNumbers(crossing.Tetrahedron))
-    , Number(static_cast<std::size_t>(valueNumber(geometry, crossing.Tetrahedron)))
+    , Number(static_cast<std::size_t>(ValueNumber(geometry, crossing.Tetrahedron)))
   {
   }
 
@@ -132,7 +132,7 @@ public:
       return this->Geometry.CellScalars[this->Number];
     }
     return this->Medium.Scalar
-      ? this->Medium.Scalar(cellOfTetrahedron(this->Geometry, this->At.Tetrahedron), parameter)
+      ? this->Medium.Scalar(CellOfTetrahedron(this->Geometry, this->At.Tetrahedron), parameter)
       : this->Interpolate(
           parameter, [&](std::size_t point) { return this->Geometry.Points[point].Scalar; });
   }
@@ -144,7 +144,7 @@ public:
       : this->Geometry.OpacityOnCells        ? values[this->Number]
       : this->Medium.OpacityScalar
       ? this->Medium.OpacityScalar(
-          cellOfTetrahedron(this->Geometry, this->At.Tetrahedron), parameter)
+          CellOfTetrahedron(this->Geometry, this->At.Tetrahedron), parameter)
       : this->Interpolate(parameter, [&](std::size_t point) { return values[point]; });
   }
 
@@ -191,7 +191,7 @@ private:
 };
 
 /** Parameters between which the extinction is linear, both ends included. */
-std::vector<double> linearPieces(
+std::vector<double> LinearPieces(
   const Values& values, const TransferFunctionTable& table, double begin, double end)
 {
   std::vector<double> pieces = { begin };
@@ -210,10 +210,10 @@ std::vector<double> linearPieces(
 }
 
 /** Lessens the optical depth that is left by that of [begin, end]; returns where none is left, or -1. */
-double walk(const Values& values, const TransferFunctionTable& table, double scale, double begin,
+double Walk(const Values& values, const TransferFunctionTable& table, double scale, double begin,
   double end, double& left)
 {
-  const std::vector<double> pieces = linearPieces(values, table, begin, end);
+  const std::vector<double> pieces = LinearPieces(values, table, begin, end);
   const auto extinction = [&](double t) {
     return scale * double(table.Evaluate(static_cast<float>(values.Opacity(t)))[3]);
   };
@@ -235,7 +235,7 @@ double walk(const Values& values, const TransferFunctionTable& table, double sca
 }
 
 /** The surfaces between two parameters, in the order of the ray: where, and their optical depths. */
-std::vector<std::pair<double, double>> findSurfaces(
+std::vector<std::pair<double, double>> FindSurfaces(
   const Values& values, const PickMedium& medium, double begin, double end)
 {
   std::vector<std::pair<double, double>> found;
@@ -257,12 +257,12 @@ std::vector<std::pair<double, double>> findSurfaces(
 }
 
 /** The same as walk(), and surfaces on the way. */
-double walkWithSurfaces(const Values& values, const PickMedium& medium,
+double WalkWithSurfaces(const Values& values, const PickMedium& medium,
   const TransferFunctionTable& table, double begin, double end, double& left)
 {
-  for (const auto& surface : findSurfaces(values, medium, begin, end))
+  for (const auto& surface : FindSurfaces(values, medium, begin, end))
   {
-    const double at = walk(values, table, medium.ExtinctionScale, begin, surface.first, left);
+    const double at = Walk(values, table, medium.ExtinctionScale, begin, surface.first, left);
     left -= surface.second;
     if (at >= 0 || left <= 0)
     {
@@ -270,22 +270,22 @@ double walkWithSurfaces(const Values& values, const PickMedium& medium,
     }
     begin = surface.first;
   }
-  return walk(values, table, medium.ExtinctionScale, begin, end, left);
+  return Walk(values, table, medium.ExtinctionScale, begin, end, left);
 }
 }
 
-std::int64_t cellOfTetrahedron(const CellGeometry& geometry, std::int64_t tetrahedron)
+std::int64_t CellOfTetrahedron(const CellGeometry& geometry, std::int64_t tetrahedron)
 {
-  const std::int64_t number = valueNumber(geometry, tetrahedron);
+  const std::int64_t number = ValueNumber(geometry, tetrahedron);
   return geometry.Cells.empty() ? number : geometry.Cells[static_cast<std::size_t>(number)];
 }
 
-PickedCell pickCell(
+PickedCell PickCell(
   const CellGeometry& geometry, const PickMedium& medium, const PickRay& ray, double opticalDepth)
 {
   constexpr int steps = 16; // where the scalar is a polynomial of third degree
   double left = opticalDepth;
-  for (const Crossing& c : findCrossings(geometry, ray))
+  for (const Crossing& c : FindCrossings(geometry, ray))
   {
     const Values values(geometry, medium, c);
     const std::size_t number = medium.TablesOfTetrahedra.empty()
@@ -296,7 +296,7 @@ PickedCell pickCell(
     const double step = (c.End - c.Begin) / n;
     for (int i = 0; i < n; ++i)
     {
-      const double at = walkWithSurfaces(
+      const double at = WalkWithSurfaces(
         values, medium, medium.Tables[number], c.Begin + i * step, c.Begin + (i + 1) * step, left);
       if (at >= 0)
       {

@@ -49,9 +49,9 @@ struct PickMedium
 };
 
 /** The cell of the dataset. */
-std::int64_t cellOfTetrahedron(const CellGeometry& geometry, std::int64_t tetrahedron);
+std::int64_t CellOfTetrahedron(const CellGeometry& geometry, std::int64_t tetrahedron);
 
-PickedCell pickCell(
+PickedCell PickCell(
   const CellGeometry& geometry, const PickMedium& medium, const PickRay& ray, double opticalDepth);
 
 } // namespace nephoscope

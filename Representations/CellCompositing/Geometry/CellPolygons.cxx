@@ -19,14 +19,14 @@ namespace nephoscope
 namespace
 {
 // The usual ones, which need not be looked at.
-bool isSolid(int type)
+bool IsSolid(int type)
 {
   return type >= VTK_TETRA && type <= VTK_HEXAGONAL_PRISM;
 }
 
 using TriangleCorners = std::array<std::int32_t, 3>;
 
-TriangleCorners sorted(TriangleCorners corners, const std::vector<std::int32_t>& places)
+TriangleCorners Sorted(TriangleCorners corners, const std::vector<std::int32_t>& places)
 {
   for (std::int32_t& point : corners)
   {
@@ -36,23 +36,23 @@ TriangleCorners sorted(TriangleCorners corners, const std::vector<std::int32_t>&
   return corners;
 }
 
-Vector3 areaVector(const CellGeometry& geometry, const TriangleCorners& corners)
+Vector3 AreaVector(const CellGeometry& geometry, const TriangleCorners& corners)
 {
   const Vector3 a = geometry.Position(corners[0]);
-  return cross(
-    difference(geometry.Position(corners[1]), a), difference(geometry.Position(corners[2]), a));
+  return Cross(
+    Difference(geometry.Position(corners[1]), a), Difference(geometry.Position(corners[2]), a));
 }
 
-double volume(const CellGeometry& geometry, std::int32_t tetrahedron)
+double Volume(const CellGeometry& geometry, std::int32_t tetrahedron)
 {
   const std::array<Vector3, 4> p = geometry.Vertices(static_cast<std::size_t>(tetrahedron));
   return std::abs(
-    dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0])));
+    Dot(Cross(Difference(p[1], p[0]), Difference(p[2], p[0])), Difference(p[3], p[0])));
 }
 
-void addAlike(Vector3& sum, const Vector3& v)
+void AddAlike(Vector3& sum, const Vector3& v)
 {
-  const double sign = dot(sum, v) < 0 ? -1 : 1;
+  const double sign = Dot(sum, v) < 0 ? -1 : 1;
   sum = { { sum[0] + sign * v[0], sum[1] + sign * v[1], sum[2] + sign * v[2] } };
 }
 }
@@ -69,7 +69,7 @@ CellPolygons CellPolygons::Read(vtkDataSet* data, Which which)
   vtkDataArray* contours = data->GetCellData()->GetArray("ContourIndex");
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
-    if (isSolid(grid->GetCellType(cell)) || source.IsHidden(cell))
+    if (IsSolid(grid->GetCellType(cell)) || source.IsHidden(cell))
     {
       continue;
     }
@@ -96,7 +96,7 @@ std::vector<CellPolygons::Face> CellPolygons::Match(
   std::vector<std::uint8_t> touched(places.size(), 0);
   for (std::size_t i = 0; i < this->Triangles.size(); ++i)
   {
-    wanted.emplace_back(sorted(this->Triangles[i].Points, places), static_cast<std::int32_t>(i));
+    wanted.emplace_back(Sorted(this->Triangles[i].Points, places), static_cast<std::int32_t>(i));
     for (const std::int32_t place : wanted.back().first)
     {
       touched[static_cast<std::size_t>(place)] = 1;
@@ -115,7 +115,7 @@ std::vector<CellPolygons::Face> CellPolygons::Match(
       {
         corners[k] = tetrahedron[static_cast<std::size_t>(tetrahedronFaces[opposite][k])];
       }
-      corners = sorted(corners, places);
+      corners = Sorted(corners, places);
       if (!touched[std::size_t(corners[0])] || !touched[std::size_t(corners[1])] ||
         !touched[std::size_t(corners[2])])
       {
@@ -134,8 +134,8 @@ std::vector<CellPolygons::Face> CellPolygons::Match(
         found[number] = static_cast<std::int32_t>(faces.size());
         faces.push_back(face);
       }
-      else if (volume(geometry, face.Tetrahedron) >
-        volume(geometry, faces[std::size_t(found[number])].Tetrahedron))
+      else if (Volume(geometry, face.Tetrahedron) >
+        Volume(geometry, faces[std::size_t(found[number])].Tetrahedron))
       {
         faces[std::size_t(found[number])] = face;
       }
@@ -168,20 +168,20 @@ std::vector<std::array<Vector3, 3>> CellPolygons::Normals(
   {
     for (std::size_t k = 0; k < 3 && smooth; ++k)
     {
-      addAlike(sums.emplace(key(t, k), Vector3{ { 0, 0, 0 } }).first->second,
-        areaVector(geometry, t.Points));
+      AddAlike(sums.emplace(key(t, k), Vector3{ { 0, 0, 0 } }).first->second,
+        AreaVector(geometry, t.Points));
     }
   }
   std::vector<std::array<Vector3, 3>> normals;
   for (const Triangle& t : this->Triangles)
   {
-    const Vector3 flat = areaVector(geometry, t.Points);
+    const Vector3 flat = AreaVector(geometry, t.Points);
     std::array<Vector3, 3> corners = { { flat, flat, flat } };
     for (std::size_t k = 0; k < 3 && smooth; ++k)
     {
       const Vector3& sum = sums[key(t, k)];
-      const double length = std::sqrt(dot(sum, sum)), sign = dot(sum, flat) < 0 ? -1 : 1;
-      const double size = sign * std::sqrt(dot(flat, flat)) / length;
+      const double length = std::sqrt(Dot(sum, sum)), sign = Dot(sum, flat) < 0 ? -1 : 1;
+      const double size = sign * std::sqrt(Dot(flat, flat)) / length;
       corners[k] = length > 0 ? Vector3{ { size * sum[0], size * sum[1], size * sum[2] } } : flat;
     }
     normals.push_back(corners);

@@ -15,13 +15,13 @@ namespace nephoscope
 bool CellGeometry::CopyScalars(
   vtkDataSet* data, const ScalarSelection& scalars, const Progress& progress)
 {
-  if (!findRange(data, scalars, this->ScalarRange, progress.Part(0, 0.5), &this->SingleScalar))
+  if (!FindRange(data, scalars, this->ScalarRange, progress.Part(0, 0.5), &this->SingleScalar))
   {
     return false;
   }
-  return forEach(
+  return ForEachIndex(
     scalars.OnCells ? 0 : this->Points.size(), progress.Part(0.5, 1), [&](std::size_t i) {
-      this->Points[i].Scalar = normalized(scalars, static_cast<vtkIdType>(i), this->ScalarRange);
+      this->Points[i].Scalar = Normalized(scalars, static_cast<vtkIdType>(i), this->ScalarRange);
     });
 }
 
@@ -36,13 +36,13 @@ bool CellGeometry::CopyOpacityScalars(
     this->OpacityRange[1] = 1;
     return true;
   }
-  if (!findRange(data, opacity, this->OpacityRange, progress.Part(0, 0.5)))
+  if (!FindRange(data, opacity, this->OpacityRange, progress.Part(0, 0.5)))
   {
     return false;
   }
   this->OpacityScalars.resize(opacity.OnCells ? 0 : this->Points.size());
-  return forEach(this->OpacityScalars.size(), progress.Part(0.5, 1), [&](std::size_t i) {
-    this->OpacityScalars[i] = normalized(opacity, static_cast<vtkIdType>(i), this->OpacityRange);
+  return ForEachIndex(this->OpacityScalars.size(), progress.Part(0.5, 1), [&](std::size_t i) {
+    this->OpacityScalars[i] = Normalized(opacity, static_cast<vtkIdType>(i), this->OpacityRange);
   });
 }
 
@@ -51,9 +51,9 @@ bool CellGeometry::CopyCellValues(const ScalarSelection& scalars, const double r
   std::vector<float>& values, const Progress& progress) const
 {
   values.resize(this->Tetrahedra.size() + this->Hexahedra.size());
-  return forEach(values.size(), progress, [&](std::size_t i) {
+  return ForEachIndex(values.size(), progress, [&](std::size_t i) {
     const vtkIdType cell = this->Cells.empty() ? static_cast<vtkIdType>(i) : this->Cells[i];
-    values[i] = normalized(scalars, cell, range);
+    values[i] = Normalized(scalars, cell, range);
   });
 }
 

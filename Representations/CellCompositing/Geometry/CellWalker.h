@@ -112,8 +112,8 @@ public:
 private:
   bool IsFinite(vtkIdType cell) const
   {
-    if ((this->Scalars.OnCells && !std::isfinite(scalarValue(this->Scalars, cell))) ||
-      (this->Opacity.OnCells && !std::isfinite(scalarValue(this->Opacity, cell))))
+    if ((this->Scalars.OnCells && !std::isfinite(ScalarValue(this->Scalars, cell))) ||
+      (this->Opacity.OnCells && !std::isfinite(ScalarValue(this->Opacity, cell))))
     {
       return false;
     }

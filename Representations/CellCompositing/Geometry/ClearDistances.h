@@ -18,7 +18,7 @@ namespace nephoscope
  * In moves of a chess king, up to 255; 0: the cell itself can be seen. `visible` has a number other than 0 for cells that can be seen.
  * Two sweeps, forwards and backwards, each with the half of the 26 neighbours that it has passed.
  */
-inline std::vector<std::uint8_t> clearDistances(
+inline std::vector<std::uint8_t> FindClearDistances(
   const ChessboardGrid& grid, const std::vector<std::uint8_t>& visible)
 {
   const std::int64_t size[3] = { grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1 };

@@ -19,7 +19,7 @@ namespace nephoscope
 {
 namespace
 {
-std::size_t hashOfPlace(const CellGeometry::Point& p)
+std::size_t HashOfPlace(const CellGeometry::Point& p)
 {
   std::uint64_t hash = 0;
   for (const float x : { p.X, p.Y, p.Z })
@@ -33,17 +33,17 @@ std::size_t hashOfPlace(const CellGeometry::Point& p)
   return static_cast<std::size_t>(hash);
 }
 
-bool isPlace(const CellGeometry::Point& p)
+bool IsPlace(const CellGeometry::Point& p)
 {
   return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z);
 }
 
-double largestCoordinate(const CellGeometry::Point& p)
+double LargestCoordinate(const CellGeometry::Point& p)
 {
   return std::max({ std::abs(p.X), std::abs(p.Y), std::abs(p.Z) });
 }
 
-double distanceBetween(const CellGeometry::Point& p, const CellGeometry::Point& q)
+double DistanceBetween(const CellGeometry::Point& p, const CellGeometry::Point& q)
 {
   return std::max(
     { std::abs(double(p.X) - q.X), std::abs(double(p.Y) - q.Y), std::abs(double(p.Z) - q.Z) });
@@ -65,7 +65,7 @@ public:
     double largest = 0;
     for (const CellGeometry::Point& p : this->Points)
     {
-      largest = isPlace(p) ? std::max(largest, largestCoordinate(p)) : largest;
+      largest = IsPlace(p) ? std::max(largest, LargestCoordinate(p)) : largest;
     }
     this->Reach = roundingUnits * largest;
     this->BoxSize = 64 * this->Reach; // few points reach into a second box
@@ -96,7 +96,7 @@ private:
   void AddToBoxes(std::size_t i, std::size_t size, Add add) const
   {
     const CellGeometry::Point& p = this->Points[i];
-    if (this->Places[i] != static_cast<std::int32_t>(i) || !isPlace(p))
+    if (this->Places[i] != static_cast<std::int32_t>(i) || !IsPlace(p))
     {
       return;
     }
@@ -117,7 +117,7 @@ private:
         for (box[2] = low[2]; box[2] <= high[2]; ++box[2])
         {
           const CellGeometry::Point corner = { float(box[0]), float(box[1]), float(box[2]), 0 };
-          add(hashOfPlace(corner) % size, static_cast<std::int32_t>(i));
+          add(HashOfPlace(corner) % size, static_cast<std::int32_t>(i));
         }
       }
     }
@@ -137,7 +137,7 @@ private:
       {
         const CellGeometry::Point& p = this->Points[static_cast<std::size_t>(*a)];
         const CellGeometry::Point& q = this->Points[static_cast<std::size_t>(*b)];
-        if (*a < *b && distanceBetween(p, q) <= this->Reach)
+        if (*a < *b && DistanceBetween(p, q) <= this->Reach)
         {
           pairs.emplace_back(*a, *b);
         }
@@ -151,7 +151,7 @@ private:
 };
 
 /** At each place of a pair: the shortest edge that is longer than nothing. */
-bool findShortestEdges(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
+bool FindShortestEdges(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
   const std::vector<Pair>& pairs, std::vector<float>& shortest, const Progress& progress)
 {
   shortest.assign(places.size(), -1.0f); // not asked for
@@ -172,20 +172,20 @@ bool findShortestEdges(const CellGeometry& geometry, const std::vector<std::int3
       for (const std::int32_t other : vertices)
       {
         const float distance =
-          static_cast<float>(distanceBetween(geometry.Points[static_cast<std::size_t>(vertex)],
+          static_cast<float>(DistanceBetween(geometry.Points[static_cast<std::size_t>(vertex)],
             geometry.Points[static_cast<std::size_t>(other)]));
         length = distance > 0 ? std::min(length, distance) : length;
       }
     }
   };
-  return forEachInTurn(geometry.Tetrahedra.size(), progress.Part(0, 0.5),
+  return ForEachInTurn(geometry.Tetrahedra.size(), progress.Part(0, 0.5),
            [&](std::size_t i) { visit(geometry.Tetrahedra[i]); }) &&
-    forEachInTurn(geometry.Hexahedra.size(), progress.Part(0.5, 1),
+    ForEachInTurn(geometry.Hexahedra.size(), progress.Part(0.5, 1),
       [&](std::size_t i) { visit(geometry.Hexahedra[i]); });
 }
 
 /** Joins numbers to groups, each under its lowest number. */
-std::int32_t findRoot(std::vector<std::int32_t>& parents, std::int32_t i)
+std::int32_t FindRoot(std::vector<std::int32_t>& parents, std::int32_t i)
 {
   while (parents[static_cast<std::size_t>(i)] != i)
   {
@@ -196,7 +196,7 @@ std::int32_t findRoot(std::vector<std::int32_t>& parents, std::int32_t i)
 }
 }
 
-std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progress& progress)
+std::vector<std::int32_t> FindPlaces(const CellGeometry& geometry, const Progress& progress)
 {
   const auto& points = geometry.Points;
   const auto place = [&points](std::int32_t i) {
@@ -213,7 +213,7 @@ std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progres
                         if (p.X == p.X && p.Y == p.Y &&
                           p.Z == p.Z) // NaN has no place in an order, and is in no tetrahedron
                         {
-                          add(hashOfPlace(p) % size, static_cast<std::int32_t>(i));
+                          add(HashOfPlace(p) % size, static_cast<std::int32_t>(i));
                         }
                       }) &&
     buckets.ForEach(progress.Part(0.5, 1), [&](std::int32_t* begin, std::int32_t* end) {
@@ -235,7 +235,7 @@ std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progres
   return places;
 }
 
-bool weldPlaces(
+bool WeldPlaces(
   const CellGeometry& geometry, std::vector<std::int32_t>& places, const Progress& progress)
 {
   std::vector<Pair> pairs;
@@ -248,7 +248,7 @@ bool weldPlaces(
   {
     return true;
   }
-  if (!findShortestEdges(geometry, places, pairs, shortest, progress.Part(0.8, 0.95)))
+  if (!FindShortestEdges(geometry, places, pairs, shortest, progress.Part(0.8, 0.95)))
   {
     return false;
   }
@@ -256,17 +256,17 @@ bool weldPlaces(
   {
     const std::size_t a = static_cast<std::size_t>(pair.first),
                       b = static_cast<std::size_t>(pair.second);
-    if (8 * distanceBetween(geometry.Points[a], geometry.Points[b]) <=
+    if (8 * DistanceBetween(geometry.Points[a], geometry.Points[b]) <=
       std::min(shortest[a], shortest[b]))
     {
-      const std::int32_t first = findRoot(places, pair.first),
-                         second = findRoot(places, pair.second);
+      const std::int32_t first = FindRoot(places, pair.first),
+                         second = FindRoot(places, pair.second);
       places[static_cast<std::size_t>(std::max(first, second))] = std::min(first, second);
     }
   }
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    places[i] = findRoot(places, static_cast<std::int32_t>(i));
+    places[i] = FindRoot(places, static_cast<std::int32_t>(i));
   }
   return progress.Report(1);
 }

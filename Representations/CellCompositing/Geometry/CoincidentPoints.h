@@ -22,10 +22,10 @@ namespace nephoscope
 {
 
 /** For each point the first of the points with equal coordinates; empty when stopped. */
-std::vector<std::int32_t> findPlaces(const CellGeometry& geometry, const Progress& progress = {});
+std::vector<std::int32_t> FindPlaces(const CellGeometry& geometry, const Progress& progress = {});
 
-/** Joins positions that differ by rounding: `places`, as findPlaces has them, then name the first of all those points. False when stopped. */
-bool weldPlaces(
+/** Joins positions that differ by rounding: `places`, as FindPlaces has them, then name the first of all those points. False when stopped. */
+bool WeldPlaces(
   const CellGeometry& geometry, std::vector<std::int32_t>& places, const Progress& progress = {});
 
 } // namespace nephoscope

@@ -21,7 +21,7 @@ namespace nephoscope
 namespace
 {
 // One round of mixing: multiplication carries low bits up, the shift brings high bits down.
-std::uint64_t mixed(std::uint64_t hash, std::uint64_t word)
+std::uint64_t Mixed(std::uint64_t hash, std::uint64_t word)
 {
   hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
   return hash ^ (hash >> 29);
@@ -32,7 +32,7 @@ constexpr std::size_t pieceSize = std::size_t(1)
 
 /** word(i) for i in [0, n), in pieces that threads share. */
 template <typename Word>
-std::uint64_t mixedWords(std::size_t n, Word word)
+std::uint64_t MixedWords(std::size_t n, Word word)
 {
   std::vector<std::uint64_t> pieces((n + pieceSize - 1) / pieceSize);
   vtkSMPTools::For(0, static_cast<vtkIdType>(pieces.size()), [&](vtkIdType begin, vtkIdType end) {
@@ -42,7 +42,7 @@ std::uint64_t mixedWords(std::size_t n, Word word)
       std::uint64_t hash = piece;
       for (std::size_t i = piece * pieceSize; i < std::min(n, (piece + 1) * pieceSize); ++i)
       {
-        hash = mixed(hash, word(i));
+        hash = Mixed(hash, word(i));
       }
       pieces[piece] = hash;
     }
@@ -50,22 +50,22 @@ std::uint64_t mixedWords(std::size_t n, Word word)
   std::uint64_t hash = n;
   for (const std::uint64_t piece : pieces)
   {
-    hash = mixed(hash, piece);
+    hash = Mixed(hash, piece);
   }
   return hash;
 }
 
-std::uint64_t mixedBytes(const unsigned char* bytes, std::size_t size)
+std::uint64_t MixedBytes(const unsigned char* bytes, std::size_t size)
 {
   constexpr std::size_t width = sizeof(std::uint64_t);
-  return mixedWords((size + width - 1) / width, [=](std::size_t i) {
+  return MixedWords((size + width - 1) / width, [=](std::size_t i) {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes + i * width, std::min(width, size - i * width));
     return word;
   });
 }
 
-std::uint64_t bitsOf(double value)
+std::uint64_t BitsOf(double value)
 {
   std::uint64_t bits;
   std::memcpy(&bits, &value, sizeof(bits));
@@ -95,11 +95,11 @@ struct MeshParts
     std::uint64_t hash = 0;
     for (vtkDataArray* array : this->Arrays)
     {
-      hash = mixed(hash, fingerprint(array));
+      hash = Mixed(hash, FingerprintOf(array));
     }
     std::atomic<bool> polyhedra(false);
     const std::size_t n = static_cast<std::size_t>(this->Grid->GetNumberOfCells());
-    result = mixed(hash, mixedWords(n, [&](std::size_t i) {
+    result = Mixed(hash, MixedWords(n, [&](std::size_t i) {
       const int type = this->Grid->GetCellType(static_cast<vtkIdType>(i));
       if (type == VTK_POLYHEDRON)
       {
@@ -112,7 +112,7 @@ struct MeshParts
 };
 }
 
-std::uint64_t fingerprint(vtkDataArray* array)
+std::uint64_t FingerprintOf(vtkDataArray* array)
 {
   if (!array || array->GetNumberOfValues() == 0)
   {
@@ -123,11 +123,11 @@ std::uint64_t fingerprint(vtkDataArray* array)
   if (array->HasStandardMemoryLayout())
   {
     const auto* bytes = static_cast<const unsigned char*>(array->GetVoidPointer(0));
-    return mixed(kind, mixedBytes(bytes, n * static_cast<std::size_t>(array->GetDataTypeSize())));
+    return Mixed(kind, MixedBytes(bytes, n * static_cast<std::size_t>(array->GetDataTypeSize())));
   }
   const std::size_t components = static_cast<std::size_t>(array->GetNumberOfComponents());
-  return mixed(kind, mixedWords(n, [=](std::size_t i) {
-    return bitsOf(array->GetComponent(
+  return Mixed(kind, MixedWords(n, [=](std::size_t i) {
+    return BitsOf(array->GetComponent(
       static_cast<vtkIdType>(i / components), static_cast<int>(i % components)));
   }));
 }
@@ -182,7 +182,7 @@ bool ValueIdentity::Changes(vtkDataSet* data, const ScalarSelection& selection)
   {
     return false;
   }
-  const std::uint64_t now = fingerprint(array);
+  const std::uint64_t now = FingerprintOf(array);
   const bool same = this->Known && place == this->Last && now == this->Fingerprint;
   this->Known = true;
   this->Last = place;

@@ -63,7 +63,7 @@ private:
 };
 
 /** Fingerprint of an array's values, without its name; 0 for none. The same for any number of threads. */
-std::uint64_t fingerprint(vtkDataArray* array);
+std::uint64_t FingerprintOf(vtkDataArray* array);
 
 } // namespace nephoscope
 

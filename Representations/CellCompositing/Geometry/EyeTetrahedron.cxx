@@ -36,14 +36,14 @@ struct Candidate
 
 using Vertices = std::array<std::int64_t, 4>;
 
-std::array<Vector3, 4> positions(const CellGeometry& geometry, const Vertices& v)
+std::array<Vector3, 4> Positions(const CellGeometry& geometry, const Vertices& v)
 {
   const auto at = [&](std::int64_t p) { return geometry.Position(std::int32_t(p)); };
   return { { at(v[0]), at(v[1]), at(v[2]), at(v[3]) } };
 }
 
 // False, at little cost, for nearly all tetrahedra.
-bool isNearBox(const std::array<Vector3, 4>& p, const Vector4& eye, double margin)
+bool IsNearBox(const std::array<Vector3, 4>& p, const Vector4& eye, double margin)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -56,17 +56,17 @@ bool isNearBox(const std::array<Vector3, 4>& p, const Vector4& eye, double margi
   return true;
 }
 
-Candidate search(const CellGeometry& geometry, const Vector4& eye, double clearance)
+Candidate Search(const CellGeometry& geometry, const Vector4& eye, double clearance)
 {
   vtkSMPThreadLocal<Candidate> candidates;
   vtkSMPTools::For(0, geometry.CountTetrahedra(), [&](vtkIdType begin, vtkIdType end) {
     Candidate& candidate = candidates.Local();
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const std::array<Vector3, 4> p = positions(geometry, geometry.PointNumbers(i));
-      if (isNearBox(p, eye, clearance))
+      const std::array<Vector3, 4> p = Positions(geometry, geometry.PointNumbers(i));
+      if (IsNearBox(p, eye, clearance))
       {
-        const ClearStart start = findClearStart(p, eye, clearance);
+        const ClearStart start = FindClearStart(p, eye, clearance);
         if (start.Found)
         {
           candidate.Offer(i, start);
@@ -85,7 +85,7 @@ Candidate search(const CellGeometry& geometry, const Vector4& eye, double cleara
   return best;
 }
 
-EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
+EyeTetrahedron Describe(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
   std::int64_t number, const Vector3& start, const Vector4& weights)
 {
   EyeTetrahedron result;
@@ -125,7 +125,7 @@ EyeTetrahedron describe(const CellGeometry& geometry, const TetrahedronNeighbors
 }
 
 /** How far a position is inside of a hexahedron with bilinear faces, in fractions of its width; negative: outside. */
-double depthInHexahedron(const std::array<Vector3, 8>& p, const Vector3& x)
+double DepthInHexahedron(const std::array<Vector3, 8>& p, const Vector3& x)
 {
   constexpr double outside = -1e30;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -159,14 +159,14 @@ double depthInHexahedron(const std::array<Vector3, 8>& p, const Vector3& x)
         along[2][axis] += weight[0] * weight[1] * slope[2] * p[c][axis];
       }
     }
-    const double volume = dot(along[0], cross(along[1], along[2]));
+    const double volume = Dot(along[0], Cross(along[1], along[2]));
     if (!(std::abs(volume) > 0))
     {
       return outside;
     }
     for (std::size_t k = 0; k < 3; ++k)
     {
-      const double step = dot(away, cross(along[(k + 1) % 3], along[(k + 2) % 3])) / volume;
+      const double step = Dot(away, Cross(along[(k + 1) % 3], along[(k + 2) % 3])) / volume;
       place[k] = std::max(-1.0, std::min(2.0, place[k] + step));
     }
   }
@@ -223,7 +223,7 @@ private:
     {
       p[corner] = this->Geometry.Position(vertexOf(corner));
     }
-    const double depth = depthInHexahedron(p, this->Start);
+    const double depth = DepthInHexahedron(p, this->Start);
     if (depth > this->Deepest)
     {
       this->Deepest = depth;
@@ -240,19 +240,19 @@ private:
 constexpr double inFace =
   1e-7; // barycentric coordinate: the start keeps more distance from the faces of its own tetrahedron
 
-bool holds(const CellGeometry& geometry, std::int64_t number, const Vector4& start, double margin)
+bool Holds(const CellGeometry& geometry, std::int64_t number, const Vector4& start, double margin)
 {
-  const std::array<Vector3, 4> p = positions(geometry, geometry.PointNumbers(number));
-  if (!isNearBox(p, start, margin))
+  const std::array<Vector3, 4> p = Positions(geometry, geometry.PointNumbers(number));
+  if (!IsNearBox(p, start, margin))
   {
     return false;
   }
-  const Vector4 q = eyeCoordinates(p, start);
+  const Vector4 q = EyeCoordinates(p, start);
   return std::all_of(q.begin(), q.end(), [](double x) { return x >= -inFace; });
 }
 
 /** Where hexahedra meet: what they have in common is not divided the same way, so that parts may overlap by the bend of a face. */
-bool isBeside(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
+bool IsBeside(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
   std::int64_t part, std::int64_t other)
 {
   if (geometry.Hexahedra.empty() || geometry.DividesHexahedra)
@@ -268,7 +268,7 @@ bool isBeside(const CellGeometry& geometry, const TetrahedronNeighbors& neighbor
 }
 
 /** The other tetrahedra that hold the start; of those that meet in a face, an edge or a vertex there, one. */
-std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
+std::vector<EyeTetrahedron> FindOverlapping(const CellGeometry& geometry,
   const TetrahedronNeighbors& neighbors, std::int64_t own, const Vector3& position)
 {
   const Vector4 start = { { position[0], position[1], position[2], 1 } };
@@ -277,7 +277,7 @@ std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
   vtkSMPTools::For(0, geometry.CountTetrahedra(), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      if (i != own && holds(geometry, i, start, margin) && !isBeside(geometry, neighbors, i, own))
+      if (i != own && Holds(geometry, i, start, margin) && !IsBeside(geometry, neighbors, i, own))
       {
         parts.Local().push_back(i);
       }
@@ -294,7 +294,7 @@ std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
   for (const std::int64_t number : numbers)
   {
     const Vertices vertices = geometry.PointNumbers(number);
-    const Vector4 q = eyeCoordinates(positions(geometry, vertices), start);
+    const Vector4 q = EyeCoordinates(Positions(geometry, vertices), start);
     std::set<std::int32_t> around;
     for (std::size_t k = 0; k < 4; ++k)
     {
@@ -305,14 +305,14 @@ std::vector<EyeTetrahedron> findOverlapping(const CellGeometry& geometry,
     }
     if (around.size() == 4 || met.insert(around).second)
     {
-      result.push_back(describe(geometry, neighbors, number, position, q));
+      result.push_back(Describe(geometry, neighbors, number, position, q));
     }
   }
   return result;
 }
 
 /** A walk through listed tetrahedra starts with a neighbour that it knows. */
-void findNeighbors(
+void FindNeighbors(
   const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, EyeTetrahedron& eye)
 {
   std::vector<std::size_t> numbers = { std::size_t(eye.Place[0]) };
@@ -329,7 +329,7 @@ void findNeighbors(
 }
 }
 
-EyeTetrahedron findEyeTetrahedron(
+EyeTetrahedron FindEyeTetrahedron(
   const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, const Vector4& eye)
 {
   EyeTetrahedron result;
@@ -339,12 +339,12 @@ EyeTetrahedron findEyeTetrahedron(
   {
     return result;
   }
-  const Candidate found = search(geometry, eye, clearance);
+  const Candidate found = Search(geometry, eye, clearance);
   if (found.Number < 0)
   {
     return result;
   }
-  result = describe(geometry, neighbors, found.Number, found.Start.Position, found.Start.Weights);
+  result = Describe(geometry, neighbors, found.Number, found.Start.Position, found.Start.Weights);
   if (!geometry.DividesHexahedra)
   {
     geometry.Grid.IsEmpty() ? HexahedronSearch(geometry, result).InList()
@@ -352,11 +352,11 @@ EyeTetrahedron findEyeTetrahedron(
   }
   if (geometry.Grid.IsEmpty())
   {
-    result.Overlapping = findOverlapping(geometry, neighbors, found.Number, found.Start.Position);
+    result.Overlapping = FindOverlapping(geometry, neighbors, found.Number, found.Start.Position);
   }
   if (geometry.Grid.IsEmpty() && geometry.Hexahedra.empty())
   {
-    findNeighbors(geometry, neighbors, result);
+    FindNeighbors(geometry, neighbors, result);
   }
   return result;
 }

@@ -41,7 +41,7 @@ struct EyeTetrahedron
 };
 
 /** Tests all tetrahedra in parallel, unless the eye is outside the bounds of all points or infinitely far (eye w = 0); then it finds nothing. */
-EyeTetrahedron findEyeTetrahedron(
+EyeTetrahedron FindEyeTetrahedron(
   const CellGeometry& geometry, const TetrahedronNeighbors& neighbors, const Vector4& eye);
 
 } // namespace nephoscope

@@ -35,34 +35,34 @@ struct OpenFace
 };
 
 /** No places: no points coincide. */
-std::int32_t placeOf(std::int32_t point, const std::vector<std::int32_t>& places)
+std::int32_t PlaceOf(std::int32_t point, const std::vector<std::int32_t>& places)
 {
   return places.empty() ? point : places[static_cast<std::size_t>(point)];
 }
 
-std::array<std::int32_t, 3> sortedPlaces(
+std::array<std::int32_t, 3> SortedPlaces(
   const Tetrahedron& t, int opposite, const std::vector<std::int32_t>& places)
 {
   std::array<std::int32_t, 3> points;
   for (int k = 0; k < 3; ++k)
   {
-    points[k] = placeOf(t[tetrahedronFaces[opposite][k]], places);
+    points[k] = PlaceOf(t[tetrahedronFaces[opposite][k]], places);
   }
   std::sort(points.begin(), points.end());
   return points;
 }
 
 /** The vertex of a tetrahedron that is not in the face of these places. */
-Vector3 vertexAcross(const CellGeometry& geometry, const Tetrahedron& other,
+Vector3 VertexAcross(const CellGeometry& geometry, const Tetrahedron& other,
   const std::array<std::int32_t, 3>& face, const std::vector<std::int32_t>& places)
 {
   return geometry.Position(*std::find_if(other.begin(), other.begin() + 3, [&](std::int32_t p) {
-    return std::find(face.begin(), face.end(), placeOf(p, places)) == face.end();
+    return std::find(face.begin(), face.end(), PlaceOf(p, places)) == face.end();
   }));
 }
 
 /** What the rounding of these coordinates may be. */
-double roundingOf(const std::array<Vector3, 5>& points)
+double RoundingOf(const std::array<Vector3, 5>& points)
 {
   double largest = 0;
   for (const Vector3& x : points)
@@ -73,7 +73,7 @@ double roundingOf(const std::array<Vector3, 5>& points)
 }
 
 /** Whether both tetrahedra of a face, the second one perhaps None, lie on the same side of it. Either of them gives the same answer. */
-bool isFolded(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
+bool IsFolded(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
   std::size_t tetrahedron, int face, std::int32_t other)
 {
   if (other == FaceNeighbors::None)
@@ -81,15 +81,15 @@ bool isFolded(const CellGeometry& geometry, const std::vector<std::int32_t>& pla
     return false;
   }
   const Tetrahedron t = geometry.Tetrahedra[tetrahedron];
-  const auto corners = sortedPlaces(t, face, places);
+  const auto corners = SortedPlaces(t, face, places);
   const Vector3 a = geometry.Position(corners[0]), b = geometry.Position(corners[1]),
                 c = geometry.Position(corners[2]);
   const Vector3 near = geometry.Position(t[static_cast<std::size_t>(face)]);
   const Vector3 far =
-    vertexAcross(geometry, geometry.Tetrahedra[static_cast<std::size_t>(other)], corners, places);
-  const double error = roundingOf({ { a, b, c, near, far } });
+    VertexAcross(geometry, geometry.Tetrahedra[static_cast<std::size_t>(other)], corners, places);
+  const double error = RoundingOf({ { a, b, c, near, far } });
   const auto side = [&](const Vector3& x) {
-    return planeSideWithin(a, b, c, { { x[0], x[1], x[2], 1.0 } }, error);
+    return PlaneSideWithin(a, b, c, { { x[0], x[1], x[2], 1.0 } }, error);
   };
   return side(near) != 0 && side(near) == side(far);
 }
@@ -98,7 +98,7 @@ using Face = std::array<std::int32_t, 3>;         // its places, ascending
 using Side = std::tuple<Face, std::int64_t, int>; // and whose it is: tetrahedron, vertex across
 
 /** The sides of some faces, which are sorted, in the order in which they meet in pairs. */
-std::vector<Side> findSides(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
+std::vector<Side> FindSides(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
   const std::vector<Face>& faces)
 {
   std::vector<bool> near(geometry.Points.size()); // in one of the faces
@@ -112,10 +112,10 @@ std::vector<Side> findSides(const CellGeometry& geometry, const std::vector<std:
     {
       const Tetrahedron t = geometry.Tetrahedra[static_cast<std::size_t>(i)];
       const auto count = std::count_if(
-        t.begin(), t.end(), [&](std::int32_t p) { return near[std::size_t(placeOf(p, places))]; });
+        t.begin(), t.end(), [&](std::int32_t p) { return near[std::size_t(PlaceOf(p, places))]; });
       for (int k = 0; k < 4 && count >= 3; ++k)
       {
-        const Face face = sortedPlaces(t, k, places);
+        const Face face = SortedPlaces(t, k, places);
         if (std::binary_search(faces.begin(), faces.end(), face))
         {
           parts.Local().emplace_back(face, i, k);
@@ -133,16 +133,16 @@ std::vector<Side> findSides(const CellGeometry& geometry, const std::vector<std:
 }
 }
 
-std::vector<std::int32_t> findNeighborsAcross(const CellGeometry& geometry,
+std::vector<std::int32_t> FindNeighborsAcross(const CellGeometry& geometry,
   const std::vector<std::int32_t>& places, const std::vector<std::size_t>& tetrahedra, int vertex)
 {
   const auto faceOf = [&](std::size_t i) {
-    return sortedPlaces(geometry.Tetrahedra[i], vertex, places);
+    return SortedPlaces(geometry.Tetrahedra[i], vertex, places);
   };
   std::vector<Face> faces(tetrahedra.size());
   std::transform(tetrahedra.begin(), tetrahedra.end(), faces.begin(), faceOf);
   std::sort(faces.begin(), faces.end());
-  const std::vector<Side> sides = findSides(geometry, places, faces);
+  const std::vector<Side> sides = FindSides(geometry, places, faces);
   std::vector<std::int32_t> result;
   for (const std::size_t i : tetrahedra)
   {
@@ -154,12 +154,12 @@ std::vector<std::int32_t> findNeighborsAcross(const CellGeometry& geometry,
     const std::int32_t neighbor =
       meets ? static_cast<std::int32_t>(std::get<1>(*other)) : FaceNeighbors::None;
     result.push_back(
-      isFolded(geometry, places, i, vertex, neighbor) ? FaceNeighbors::None : neighbor);
+      IsFolded(geometry, places, i, vertex, neighbor) ? FaceNeighbors::None : neighbor);
   }
   return result;
 }
 
-double findCoordinateError(const CellGeometry& geometry)
+double FindCoordinateError(const CellGeometry& geometry)
 {
   float largest = 0;
   for (const CellGeometry::Point& p : geometry.Points)
@@ -169,15 +169,15 @@ double findCoordinateError(const CellGeometry& geometry)
   return std::isfinite(largest) ? largest * std::numeric_limits<float>::epsilon() : 0.0;
 }
 
-int planeSideWithin(
+int PlaneSideWithin(
   const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e, double error)
 {
-  const Vector3 ab = difference(b, a);
-  const Vector3 ac = difference(c, a);
+  const Vector3 ab = Difference(b, a);
+  const Vector3 ac = Difference(c, a);
   const Vector3 ae = { e[0] - e[3] * a[0], e[1] - e[3] * a[1], e[2] - e[3] * a[2] };
-  const double side = dot(cross(ab, ac), ae);
-  const double lengths[3] = { std::sqrt(dot(ab, ab)), std::sqrt(dot(ac, ac)),
-    std::sqrt(dot(ae, ae)) };
+  const double side = Dot(Cross(ab, ac), ae);
+  const double lengths[3] = { std::sqrt(Dot(ab, ab)), std::sqrt(Dot(ac, ac)),
+    std::sqrt(Dot(ae, ae)) };
   const double areas = (lengths[0] + lengths[1]) * lengths[2] + e[3] * lengths[0] * lengths[1];
   return std::abs(side) > 3 * error * areas ? (side > 0) - (side < 0) : 0;
 }
@@ -185,9 +185,9 @@ int planeSideWithin(
 bool FaceNeighbors::Connect(const CellGeometry& geometry, const Progress& progress)
 {
   *this = FaceNeighbors();
-  this->Places = findPlaces(geometry, progress.Part(0, 0.1));
+  this->Places = FindPlaces(geometry, progress.Part(0, 0.1));
   if (this->Places.size() != geometry.Points.size() ||
-    !weldPlaces(geometry, this->Places, progress.Part(0.1, 0.2)) ||
+    !WeldPlaces(geometry, this->Places, progress.Part(0.1, 0.2)) ||
     !this->MatchFaces(geometry, progress.Part(0.2, 0.7)) ||
     !this->UnfoldFaces(geometry, progress.Part(0.7, 1)))
   {
@@ -207,7 +207,7 @@ bool FaceNeighbors::MatchFaces(const CellGeometry& geometry, const Progress& pro
            [&](std::size_t i, auto add) {
              for (int face = 0; face < 4; ++face)
              {
-               const auto points = sortedPlaces(geometry.Tetrahedra[i], face, this->Places);
+               const auto points = SortedPlaces(geometry.Tetrahedra[i], face, this->Places);
                add(static_cast<std::size_t>(points[0]),
                  OpenFace{ points[1], points[2], static_cast<std::int32_t>(i), face });
              }
@@ -232,12 +232,12 @@ bool FaceNeighbors::MatchFaces(const CellGeometry& geometry, const Progress& pro
 bool FaceNeighbors::UnfoldFaces(const CellGeometry& geometry, const Progress& progress)
 {
   std::vector<std::int32_t> found(this->Neighbors.size());
-  const bool done = forEach(geometry.Tetrahedra.size(), progress, [&](std::size_t i) {
+  const bool done = ForEachIndex(geometry.Tetrahedra.size(), progress, [&](std::size_t i) {
     for (int face = 0; face < 4; ++face)
     {
       const std::int32_t neighbor = this->Get(i, face);
       found[4 * i + static_cast<std::size_t>(face)] =
-        isFolded(geometry, this->Places, i, face, neighbor) ? None : neighbor;
+        IsFolded(geometry, this->Places, i, face, neighbor) ? None : neighbor;
     }
   });
   this->Neighbors.swap(found);

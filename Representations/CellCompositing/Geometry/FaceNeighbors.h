@@ -53,18 +53,18 @@ private:
  * The result of FaceNeighbors::Get for some tetrahedra, across from one of their vertices (0 to 3). It needs no list of neighbours, but tests all
  * tetrahedra. `places`: those of all points (GetPlaces()), or empty if none coincide.
  */
-std::vector<std::int32_t> findNeighborsAcross(const CellGeometry& geometry,
+std::vector<std::int32_t> FindNeighborsAcross(const CellGeometry& geometry,
   const std::vector<std::int32_t>& places, const std::vector<std::size_t>& tetrahedra, int vertex);
 
 /** Bound on the rounding of a point's coordinates: half a unit in the last place of the largest, twice. */
-double findCoordinateError(const CellGeometry& geometry);
+double FindCoordinateError(const CellGeometry& geometry);
 
 /**
  * Side (-1, 0, 1) of the plane through a, b and c on which the homogeneous point e lies; 0 where moving each point by `error`
  * could turn the answer. That moves the determinant by at most three times the error times the areas it multiplies. A direction
  * has no error of its own.
  */
-int planeSideWithin(
+int PlaneSideWithin(
   const Vector3& a, const Vector3& b, const Vector3& c, const Vector4& e, double error);
 
 } // namespace nephoscope

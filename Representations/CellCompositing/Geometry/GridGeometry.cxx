@@ -16,13 +16,13 @@ namespace nephoscope
 {
 namespace
 {
-bool isFinitePlace(const CellGeometry::Point& p)
+bool IsFinitePlace(const CellGeometry::Point& p)
 {
   return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z);
 }
 
 /** Whether any of the values is not finite. */
-bool hasInvalid(const std::vector<float>& values)
+bool HasInvalid(const std::vector<float>& values)
 {
   return !std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
@@ -94,8 +94,8 @@ double CellGeometry::Radius() const
 bool CellGeometry::UseGrid(
   vtkDataSet* data, const ScalarSelection& scalars, const ScalarSelection& opacity)
 {
-  this->Grid = findChessboardGrid(data);
-  if (this->Grid.IsEmpty() || !std::all_of(this->Points.begin(), this->Points.end(), isFinitePlace))
+  this->Grid = FindChessboardGrid(data);
+  if (this->Grid.IsEmpty() || !std::all_of(this->Points.begin(), this->Points.end(), IsFinitePlace))
   {
     this->Grid = ChessboardGrid();
     return false;
@@ -193,11 +193,11 @@ void CellGeometry::CopyGridCells(const ScalarSelection& scalars, const ScalarSel
       }
       if (scalars.OnCells)
       {
-        this->CellScalars[cell] = normalized(scalars, i, this->ScalarRange);
+        this->CellScalars[cell] = Normalized(scalars, i, this->ScalarRange);
       }
       if (opacity.OnCells)
       {
-        this->OpacityScalars[cell] = normalized(opacity, i, this->OpacityRange);
+        this->OpacityScalars[cell] = Normalized(opacity, i, this->OpacityRange);
       }
     }
   });
@@ -210,7 +210,7 @@ void CellGeometry::FindHiddenCells(
   const bool invalidPoints = std::any_of(this->Points.begin(), this->Points.end(),
     [](const Point& p) { return !std::isfinite(p.Scalar); });
   if (!data->GetCellGhostArray() && !data->GetPointGhostArray() && !invalidPoints &&
-    !hasInvalid(this->CellScalars) && !hasInvalid(this->OpacityScalars))
+    !HasInvalid(this->CellScalars) && !HasInvalid(this->OpacityScalars))
   {
     return;
   }

@@ -18,14 +18,14 @@ namespace nephoscope
 {
 namespace
 {
-bool areHexahedra(vtkDataSet* data)
+bool AreHexahedra(vtkDataSet* data)
 {
   bool other = false, tetrahedra = true;
   const vtkIdType n = data->GetNumberOfCells();
   for (vtkIdType cell = 0; cell < n && !other; ++cell)
   {
     const int type = data->GetCellType(cell);
-    other = hexahedronForm(type).Tetrahedra == 0 && type != VTK_EMPTY_CELL;
+    other = HexahedronFormOf(type).Tetrahedra == 0 && type != VTK_EMPTY_CELL;
     tetrahedra = tetrahedra && (type == VTK_TETRA || type == VTK_EMPTY_CELL);
   }
   return !other && !tetrahedra;
@@ -36,8 +36,8 @@ bool areHexahedra(vtkDataSet* data)
 bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars,
   const ScalarSelection& opacity, const Progress& progress)
 {
-  if (this->LayerArray || !findChessboardGrid(data).IsEmpty() ||
-    data->GetNumberOfCells() > mostLinkedHexahedra || !areHexahedra(data))
+  if (this->LayerArray || !FindChessboardGrid(data).IsEmpty() ||
+    data->GetNumberOfCells() > mostLinkedHexahedra || !AreHexahedra(data))
   {
     return false;
   }
@@ -57,10 +57,10 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
         shapes.Add(walker.FindShape(static_cast<vtkIdType>(cell)), static_cast<vtkIdType>(cell));
       }
       tetrahedra += first[cell + 1] *
-        hexahedronForm(data->GetCellType(static_cast<vtkIdType>(cell))).Tetrahedra;
+        HexahedronFormOf(data->GetCellType(static_cast<vtkIdType>(cell))).Tetrahedra;
     }
   };
-  if (!forRanges(n, progress.Part(0, 0.5), look))
+  if (!ForRanges(n, progress.Part(0, 0.5), look))
   {
     return false;
   }
@@ -121,7 +121,7 @@ bool CellGeometry::UseDividedHexahedra(vtkDataSet* data, const ScalarSelection& 
       }
     }
   };
-  if (!forRanges(n, progress.Part(0, 0.4), look) || !fits || drawn == 0)
+  if (!ForRanges(n, progress.Part(0, 0.4), look) || !fits || drawn == 0)
   {
     return false;
   }
@@ -135,7 +135,7 @@ bool CellGeometry::UseDividedHexahedra(vtkDataSet* data, const ScalarSelection& 
 bool CellGeometry::FillHexahedra(vtkDataSet* data, const std::vector<std::int32_t>& first,
   vtkUnsignedCharArray* divisions, const Progress& progress)
 {
-  return forRanges(first.size() - 1, progress, [&](std::size_t begin, std::size_t end) {
+  return ForRanges(first.size() - 1, progress, [&](std::size_t begin, std::size_t end) {
     TetrahedronSource source(data);
     for (std::size_t cell = begin; cell < end; ++cell)
     {
@@ -144,7 +144,7 @@ bool CellGeometry::FillHexahedra(vtkDataSet* data, const std::vector<std::int32_
         continue;
       }
       const vtkIdType number = static_cast<vtkIdType>(cell);
-      const HexahedronForm form = hexahedronForm(data->GetCellType(number));
+      const HexahedronForm form = HexahedronFormOf(data->GetCellType(number));
       source.IsHidden(number); // reads its points
       if (this->NumberOfMisnumberedCells > 0)
       {

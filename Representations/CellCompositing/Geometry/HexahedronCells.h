@@ -20,7 +20,7 @@ namespace nephoscope
 using Hexahedron = std::array<std::int32_t, 8>;
 
 /** Vertices of a face: at the ends of the two other axes, the first of which changes first. */
-inline std::array<std::size_t, 4> hexahedronFace(int face)
+inline std::array<std::size_t, 4> HexahedronFace(int face)
 {
   const std::size_t axis = std::size_t(1) << (face >> 1);
   const std::size_t first = axis == 1 ? 2 : 1, second = axis == 4 ? 2 : 4;
@@ -29,7 +29,7 @@ inline std::array<std::size_t, 4> hexahedronFace(int face)
 }
 
 /** Six tetrahedra around the diagonal from the first vertex to the last. */
-inline std::array<std::size_t, 4> hexahedronPart(int part)
+inline std::array<std::size_t, 4> HexahedronPart(int part)
 {
   const std::size_t first = std::size_t(1) << (part >> 1);
   const std::size_t second = std::size_t(1) << (((part >> 1) + 1 + (part & 1)) % 3);
@@ -37,7 +37,7 @@ inline std::array<std::size_t, 4> hexahedronPart(int part)
 }
 
 /** True for vertices with an odd number of bits. */
-inline bool isOddCorner(std::size_t corner)
+inline bool IsOddCorner(std::size_t corner)
 {
   return ((corner ^ corner >> 1 ^ corner >> 2) & 1) != 0;
 }
@@ -46,7 +46,7 @@ inline bool isOddCorner(std::size_t corner)
  * Five tetrahedra, as ChessboardGrid.h divides a cell whose first vertex is even: that of the even vertices, and one at each odd vertex,
  * which comes first.
  */
-inline std::array<std::size_t, 4> chessboardPart(int part)
+inline std::array<std::size_t, 4> ChessboardPart(int part)
 {
   constexpr std::array<std::size_t, 4> odd = { { 1, 2, 4, 7 } };
   if (part == 0)

@@ -80,7 +80,7 @@ private:
   {
     Quadrilateral result;
     const Hexahedron& vertices = this->Geometry.Hexahedra[std::size_t(cell)];
-    const auto corners = hexahedronFace(face);
+    const auto corners = HexahedronFace(face);
     for (std::size_t k = 0; k < 4; ++k)
     {
       result[k] = this->Places[std::size_t(vertices[corners[k]])];
@@ -100,10 +100,10 @@ private:
     const auto at = [&](std::int32_t c, std::size_t k) {
       return this->Geometry.Position(this->Geometry.Hexahedra[std::size_t(c)][k]);
     };
-    const auto c = hexahedronFace(face.Face);
+    const auto c = HexahedronFace(face.Face);
     const Vector3 a = at(face.Cell, c[0]);
-    const Vector3 ab = difference(at(face.Cell, c[3]), a);
-    const Vector3 normal = cross(ab, difference(at(face.Cell, c[2]), at(face.Cell, c[1])));
+    const Vector3 ab = Difference(at(face.Cell, c[3]), a);
+    const Vector3 normal = Cross(ab, Difference(at(face.Cell, c[2]), at(face.Cell, c[1])));
     Vector3 middle = { 0, 0, 0 }, ofFace = { 0, 0, 0 };
     double largest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -119,8 +119,8 @@ private:
       }
     }
     const double rounding = 4.0 * std::numeric_limits<float>::epsilon() * largest;
-    return { { dot(normal, difference(middle, ofFace)),
-      rounding * std::sqrt(dot(normal, normal)) } };
+    return { { Dot(normal, Difference(middle, ofFace)),
+      rounding * std::sqrt(Dot(normal, normal)) } };
   }
 
   // Both cells lie on one side of their face.
@@ -146,7 +146,7 @@ private:
     const Quadrilateral places = this->PlacesOf(f.Cell, f.Face);
     const Hexahedron& own = this->Geometry.Hexahedra[std::size_t(f.Cell)];
     const Hexahedron& other = this->Geometry.Hexahedra[std::size_t(g.Cell)];
-    const auto corners = hexahedronFace(f.Face), across = hexahedronFace(g.Face);
+    const auto corners = HexahedronFace(f.Face), across = HexahedronFace(g.Face);
     const int first = g.Face < 2 ? 1 : 0, second = g.Face < 4 ? 2 : 1; // axes of the other's face
     for (std::size_t start = 0; start < 4; ++start)
     {
@@ -159,7 +159,7 @@ private:
           const std::int32_t vertex = other[across[start ^ along]];
           fits = fits && this->Places[std::size_t(vertex)] == places[k] &&
             (!this->Geometry.DividesHexahedra ||
-              isOddCorner(across[start ^ along]) == isOddCorner(corners[k]));
+              IsOddCorner(across[start ^ along]) == IsOddCorner(corners[k]));
           same = same && this->PointOf(vertex) == this->PointOf(own[corners[k]]);
         }
         if (fits)
@@ -204,7 +204,7 @@ private:
   std::vector<std::int32_t>& Links;
 };
 
-void moveToPlaces(CellGeometry& geometry, const std::vector<std::int32_t>& places)
+void MoveToPlaces(CellGeometry& geometry, const std::vector<std::int32_t>& places)
 {
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -214,7 +214,7 @@ void moveToPlaces(CellGeometry& geometry, const std::vector<std::int32_t>& place
   }
 }
 
-Vector3 middleOf(const CellGeometry& geometry, const Hexahedron& cell)
+Vector3 MiddleOf(const CellGeometry& geometry, const Hexahedron& cell)
 {
   Vector3 middle = { 0, 0, 0 };
   for (const std::int32_t vertex : cell)
@@ -229,26 +229,26 @@ Vector3 middleOf(const CellGeometry& geometry, const Hexahedron& cell)
 }
 
 // The two triangles of a face; where hexahedra are divided, each begins with an odd vertex.
-std::array<std::array<std::size_t, 3>, 2> trianglesOf(int face, bool divided)
+std::array<std::array<std::size_t, 3>, 2> TrianglesOf(int face, bool divided)
 {
-  const auto c = hexahedronFace(face);
+  const auto c = HexahedronFace(face);
   if (!divided)
   {
     return { { { { c[0], c[1], c[3] } }, { { c[0], c[3], c[2] } } } };
   }
-  return isOddCorner(c[0]) ? std::array<std::array<std::size_t, 3>, 2>{ { { { c[0], c[1], c[2] } },
+  return IsOddCorner(c[0]) ? std::array<std::array<std::size_t, 3>, 2>{ { { { c[0], c[1], c[2] } },
                                { { c[3], c[1], c[2] } } } }
                            : std::array<std::array<std::size_t, 3>, 2>{ { { { c[1], c[0], c[3] } },
                                { { c[2], c[0], c[3] } } } };
 }
 
 // As DividedHexahedra.glsl reads it.
-std::int32_t dividedEntry(std::int32_t cell, std::size_t odd, int face)
+std::int32_t DividedEntry(std::int32_t cell, std::size_t odd, int face)
 {
   return (8 * cell + std::int32_t(odd)) * 4 + (face >> 1);
 }
 
-void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
+void ListBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
 {
   neighbors.BoundaryFaces.clear();
   for (std::size_t i = 0; i < geometry.Hexahedra.size(); ++i)
@@ -260,13 +260,13 @@ void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
       {
         continue;
       }
-      for (const auto& corners : trianglesOf(face, geometry.DividesHexahedra))
+      for (const auto& corners : TrianglesOf(face, geometry.DividesHexahedra))
       {
         BoundaryFace triangle = { { cell[corners[0]], cell[corners[1]], cell[corners[2]],
-          geometry.DividesHexahedra ? dividedEntry(std::int32_t(i), corners[0], face)
+          geometry.DividesHexahedra ? DividedEntry(std::int32_t(i), corners[0], face)
                                     : std::int32_t(8 * i) + face } };
-        turnOutwards(geometry, triangle, middleOf(geometry, cell));
-        if (hasExtent(geometry, triangle))
+        TurnOutwards(geometry, triangle, MiddleOf(geometry, cell));
+        if (HasExtent(geometry, triangle))
         {
           neighbors.BoundaryFaces.push_back(triangle);
         }
@@ -276,17 +276,17 @@ void listBoundary(const CellGeometry& geometry, TetrahedronNeighbors& neighbors)
 }
 }
 
-bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
+bool FindHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
   const std::vector<float>& third, const Progress& progress)
 {
   neighbors = TetrahedronNeighbors();
-  std::vector<std::int32_t> places = findPlaces(geometry, progress.Part(0, 0.1));
+  std::vector<std::int32_t> places = FindPlaces(geometry, progress.Part(0, 0.1));
   if (places.size() != geometry.Points.size() ||
-    !weldPlaces(geometry, places, progress.Part(0.1, 0.3)))
+    !WeldPlaces(geometry, places, progress.Part(0.1, 0.3)))
   {
     return false;
   }
-  moveToPlaces(geometry, places);
+  MoveToPlaces(geometry, places);
   if (geometry.DividesHexahedra)
   {
     neighbors.MergePoints(geometry, places, third);
@@ -299,7 +299,7 @@ bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neigh
   {
     return false;
   }
-  listBoundary(geometry, neighbors);
+  ListBoundary(geometry, neighbors);
   return progress.Report(1);
 }
 

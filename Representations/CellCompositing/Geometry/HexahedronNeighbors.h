@@ -27,7 +27,7 @@ constexpr std::int64_t mostDividedHexahedra = std::numeric_limits<std::int32_t>:
  * Neighbours and boundary faces of the hexahedra. Points at one place get the position of the first of them. `third`: as for
  * TetrahedronNeighbors::Build, for divided hexahedra. False when stopped.
  */
-bool findHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
+bool FindHexahedronNeighbors(CellGeometry& geometry, TetrahedronNeighbors& neighbors,
   const std::vector<float>& third = {}, const Progress& progress = {});
 
 } // namespace nephoscope

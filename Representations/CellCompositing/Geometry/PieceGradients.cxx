@@ -13,7 +13,7 @@ namespace nephoscope
 {
 namespace
 {
-CellGeometry pointsAround(const double center[3], vtkDataSet* piece)
+CellGeometry PointsAround(const double center[3], vtkDataSet* piece)
 {
   CellGeometry geometry;
   geometry.Points.reserve(static_cast<std::size_t>(piece->GetNumberOfPoints()));
@@ -31,12 +31,12 @@ CellGeometry pointsAround(const double center[3], vtkDataSet* piece)
 PieceGradients::PieceGradients(
   vtkDataSet* piece, vtkDataArray* scalars, const double range[2], const double center[3])
 {
-  const CellGeometry geometry = pointsAround(center, piece);
-  this->Places = findPlaces(geometry);
+  const CellGeometry geometry = PointsAround(center, piece);
+  this->Places = FindPlaces(geometry);
   const std::vector<float> values = scalars && range[0] < range[1]
-    ? normalizedScalars({ scalars }, range)
+    ? NormalizedScalars({ scalars }, range)
     : std::vector<float>(geometry.Points.size(), 0.0f);
-  this->Sums = gradientSums(piece, geometry, values, this->Places);
+  this->Sums = SumGradients(piece, geometry, values, this->Places);
 }
 
 vtkSmartPointer<vtkFloatArray> PieceGradients::Solve() const

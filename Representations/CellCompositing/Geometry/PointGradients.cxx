@@ -36,7 +36,7 @@ public:
       return this->Edges;
     }
     const int type = this->Data->GetCellType(cell);
-    const HexahedronForm form = hexahedronForm(type);
+    const HexahedronForm form = HexahedronFormOf(type);
     if (form.Tetrahedra > 0)
     {
       this->FindOfHexahedron(form.Vertices, type == VTK_HEXAHEDRON || type == VTK_VOXEL);
@@ -83,7 +83,7 @@ private:
 
 void GradientSums::Add(const Vector3& d, double change)
 {
-  const double weight = 1.0 / dot(d, d);
+  const double weight = 1.0 / Dot(d, d);
   this->XX += weight * d[0] * d[0];
   this->XY += weight * d[0] * d[1];
   this->XZ += weight * d[0] * d[2];
@@ -101,8 +101,8 @@ Vector3 GradientSums::Solve() const
   const Vector3 x = { { this->XX, this->XY, this->XZ } };
   const Vector3 y = { { this->XY, this->YY, this->YZ } };
   const Vector3 z = { { this->XZ, this->YZ, this->ZZ } };
-  const Vector3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
-  const double determinant = dot(x, yz);
+  const Vector3 yz = Cross(y, z), zx = Cross(z, x), xy = Cross(x, y);
+  const double determinant = Dot(x, yz);
   const double trace = this->XX + this->YY + this->ZZ;
   if (!(determinant > 1e-13 * trace * trace * trace))
   {
@@ -116,7 +116,7 @@ Vector3 GradientSums::Solve() const
   return g;
 }
 
-std::vector<GradientSums> gradientSums(vtkDataSet* data, const CellGeometry& geometry,
+std::vector<GradientSums> SumGradients(vtkDataSet* data, const CellGeometry& geometry,
   const std::vector<float>& scalars, const std::vector<std::int32_t>& places)
 {
   std::vector<GradientSums> sums(places.size());
@@ -128,11 +128,11 @@ std::vector<GradientSums> gradientSums(vtkDataSet* data, const CellGeometry& geo
   {
     for (const Edge& edge : edges.Find(cell))
     {
-      const Vector3 d = difference(geometry.Position(static_cast<std::int32_t>(edge.second)),
+      const Vector3 d = Difference(geometry.Position(static_cast<std::int32_t>(edge.second)),
         geometry.Position(static_cast<std::int32_t>(edge.first)));
       const double change = double(scalars[static_cast<std::size_t>(edge.second)]) -
         double(scalars[static_cast<std::size_t>(edge.first)]);
-      const double squared = dot(d, d);
+      const double squared = Dot(d, d);
       if (squared > 0 && std::isfinite(squared) && std::isfinite(change))
       {
         sumAt(edge.first).Add(d, change);
@@ -143,11 +143,11 @@ std::vector<GradientSums> gradientSums(vtkDataSet* data, const CellGeometry& geo
   return sums;
 }
 
-std::vector<std::array<float, 4>> pointGradients(
+std::vector<std::array<float, 4>> PointGradients(
   vtkDataSet* data, const CellGeometry& geometry, const std::vector<float>& scalars)
 {
-  const std::vector<std::int32_t> places = findPlaces(geometry);
-  const std::vector<GradientSums> sums = gradientSums(data, geometry, scalars, places);
+  const std::vector<std::int32_t> places = FindPlaces(geometry);
+  const std::vector<GradientSums> sums = SumGradients(data, geometry, scalars, places);
   std::vector<std::array<float, 4>> gradients(places.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(places.size()), [&](vtkIdType begin, vtkIdType end) {
     for (std::size_t i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)

@@ -55,12 +55,12 @@ struct GradientSums
   Vector3 Solve() const;
 };
 
-/** One for each place of `places`, as findPlaces has them; `geometry` gives the positions of the points, `scalars` one value for each. */
-std::vector<GradientSums> gradientSums(vtkDataSet* data, const CellGeometry& geometry,
+/** One for each place of `places`, as FindPlaces has them; `geometry` gives the positions of the points, `scalars` one value for each. */
+std::vector<GradientSums> SumGradients(vtkDataSet* data, const CellGeometry& geometry,
   const std::vector<float>& scalars, const std::vector<std::int32_t>& places);
 
 /** One per point. */
-std::vector<std::array<float, 4>> pointGradients(
+std::vector<std::array<float, 4>> PointGradients(
   vtkDataSet* data, const CellGeometry& geometry, const std::vector<float>& scalars);
 
 } // namespace nephoscope

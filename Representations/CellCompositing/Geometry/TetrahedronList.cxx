@@ -16,13 +16,13 @@ namespace nephoscope
 {
 namespace
 {
-vtkDataArray* connectivityOf(vtkDataSet* data)
+vtkDataArray* ConnectivityOf(vtkDataSet* data)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   return grid && grid->GetCells() ? grid->GetCells()->GetConnectivityArray() : nullptr;
 }
 
-Tetrahedron sorted(Tetrahedron t)
+Tetrahedron Sorted(Tetrahedron t)
 {
   std::sort(t.begin(), t.end());
   return t;
@@ -52,8 +52,8 @@ void TetrahedronList::ReadFrom(vtkDataSet* data)
   std::atomic<bool> same(cells.Attach(data));
   if (same)
   {
-    forEach(this->Size, {}, [&](std::size_t i) {
-      if (same && sorted(this->List[i]) != sorted(cells[i]))
+    ForEachIndex(this->Size, {}, [&](std::size_t i) {
+      if (same && Sorted(this->List[i]) != Sorted(cells[i]))
       {
         same = false;
       }
@@ -72,7 +72,7 @@ bool TetrahedronList::Follow(vtkDataSet* data)
 
 bool TetrahedronList::Attach(vtkDataSet* data)
 {
-  vtkDataArray* ids = connectivityOf(data);
+  vtkDataArray* ids = ConnectivityOf(data);
   const int size = ids && ids->HasStandardMemoryLayout() ? ids->GetDataTypeSize() : 0;
   if ((size != sizeof(std::int32_t) && size != sizeof(std::int64_t)) ||
     ids->GetNumberOfValues() < static_cast<vtkIdType>(4 * this->Size))
@@ -85,7 +85,7 @@ bool TetrahedronList::Attach(vtkDataSet* data)
 
 bool TetrahedronList::Refresh(vtkDataSet* data)
 {
-  return (!this->Input || connectivityOf(data) == this->Input.Get()) && this->Refresh();
+  return (!this->Input || ConnectivityOf(data) == this->Input.Get()) && this->Refresh();
 }
 
 bool TetrahedronList::Refresh()

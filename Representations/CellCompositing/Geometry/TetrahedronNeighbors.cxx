@@ -18,13 +18,13 @@ namespace nephoscope
 namespace
 {
 /** How a face is on record where values jump, until the faces are numbered: the tetrahedron across. The function is its own inverse. */
-constexpr std::int32_t jumpTo(std::int32_t tetrahedron)
+constexpr std::int32_t JumpTo(std::int32_t tetrahedron)
 {
   return TetrahedronNeighbors::Jump - tetrahedron;
 }
 
 /** Position of a vertex among all four in ascending order. */
-std::int32_t rankOf(const Tetrahedron& t, int vertex)
+std::int32_t RankOf(const Tetrahedron& t, int vertex)
 {
   return std::int32_t(
     std::count_if(t.begin(), t.end(), [&](std::int32_t v) { return v < t[std::size_t(vertex)]; }));
@@ -38,7 +38,7 @@ struct JumpFace
 };
 
 /** The same face seen from the other tetrahedron, if it is one for sure. `jumps` are in the order of their tetrahedra. */
-const JumpFace* findPartner(const std::vector<JumpFace>& jumps, const JumpFace& jump)
+const JumpFace* FindPartner(const std::vector<JumpFace>& jumps, const JumpFace& jump)
 {
   const auto isBefore = [](const JumpFace& j, std::int32_t tetrahedron) {
     return j.Face[3] < tetrahedron;
@@ -140,7 +140,7 @@ Tetrahedron TetrahedronNeighbors::MergedVertices(
   return t;
 }
 
-// A tetrahedron across the face opposite vertex `face`; jumpTo it where it has other vertices there.
+// A tetrahedron across the face opposite vertex `face`; JumpTo it where it has other vertices there.
 std::int32_t TetrahedronNeighbors::Linked(
   const CellGeometry& geometry, const Tetrahedron& vertices, std::int32_t neighbor, int face) const
 {
@@ -153,7 +153,7 @@ std::int32_t TetrahedronNeighbors::Linked(
   {
     if (k != face && std::find(other.begin(), other.end(), vertices[std::size_t(k)]) == other.end())
     {
-      return jumpTo(neighbor);
+      return JumpTo(neighbor);
     }
   }
   return neighbor;
@@ -170,7 +170,7 @@ void TetrahedronNeighbors::FindNeighbors(const CellGeometry& geometry, const Fac
       const Tetrahedron t = this->MergedVertices(geometry, i);
       for (int face = 0; face < 4; ++face)
       {
-        this->Neighbors[4 * i + std::size_t(rankOf(t, face))] =
+        this->Neighbors[4 * i + std::size_t(RankOf(t, face))] =
           this->Linked(geometry, t, faces.Get(i, face), face);
         this->VertexSums[i] ^= t[std::size_t(face)];
       }
@@ -232,7 +232,7 @@ std::vector<std::array<std::int32_t, 2>> TetrahedronNeighbors::FindOneNeighbor(
   const CellGeometry& geometry, const std::vector<std::size_t>& tetrahedra) const
 {
   constexpr int face = 0;
-  const auto across = findNeighborsAcross(geometry, this->Places, tetrahedra, face);
+  const auto across = FindNeighborsAcross(geometry, this->Places, tetrahedra, face);
   std::vector<std::array<std::int32_t, 2>> result;
   for (std::size_t i = 0; i < tetrahedra.size(); ++i)
   {
@@ -241,7 +241,7 @@ std::vector<std::array<std::int32_t, 2>> TetrahedronNeighbors::FindOneNeighbor(
     const bool jumps = link <= Jump;
     const std::int32_t neighbor =
       jumps ? this->FindJump(t, std::int32_t(tetrahedra[i]), face) : link;
-    result.push_back({ { this->Packed(geometry, t, face, neighbor), rankOf(t, face) } });
+    result.push_back({ { this->Packed(geometry, t, face, neighbor), RankOf(t, face) } });
   }
   return result;
 }
@@ -268,7 +268,7 @@ void TetrahedronNeighbors::ListBoundary(const CellGeometry& geometry)
   std::vector<JumpFace> jumps;
   this->BoundaryFaces.clear();
   const auto addEntry = [&](const BoundaryFace& face) {
-    if (hasExtent(geometry, face))
+    if (HasExtent(geometry, face))
     {
       this->BoundaryFaces.push_back(face);
     }
@@ -287,10 +287,10 @@ void TetrahedronNeighbors::ListBoundary(const CellGeometry& geometry)
       if (neighbors[k] < 0)
       {
         BoundaryFace face = { { t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4], t[k] } };
-        turnOutwards(geometry, face);
+        TurnOutwards(geometry, face);
         face[3] = std::int32_t(i);
         neighbors[k] == None ? addEntry(face)
-                             : jumps.push_back({ face, jumpTo(neighbors[k]), 4 * i + k });
+                             : jumps.push_back({ face, JumpTo(neighbors[k]), 4 * i + k });
       }
     }
   }
@@ -299,7 +299,7 @@ void TetrahedronNeighbors::ListBoundary(const CellGeometry& geometry)
   for (std::size_t i = 0; i < jumps.size(); ++i)
   {
     this->Neighbors[jumps[i].Place] = None;
-    partners[i] = findPartner(jumps, jumps[i]);
+    partners[i] = FindPartner(jumps, jumps[i]);
   }
   const auto isPaired = [&](std::size_t i) {
     return partners[i] && partners[std::size_t(partners[i] - jumps.data())] == &jumps[i];

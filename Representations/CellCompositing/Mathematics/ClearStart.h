@@ -29,29 +29,29 @@ struct ClearStart
 };
 
 /** Distance of each vertex from the face opposite it; 0, infinite or NaN in a tetrahedron without volume. */
-inline Vector4 heights(const std::array<Vector3, 4>& p)
+inline Vector4 Heights(const std::array<Vector3, 4>& p)
 {
   Vector4 h;
   for (std::size_t i = 0; i < 4; ++i)
   {
     const auto& f = tetrahedronFaces[i];
-    const Vector3 normal = cross(difference(p[f[1]], p[f[0]]), difference(p[f[2]], p[f[0]]));
-    h[i] = std::abs(dot(normal, difference(p[i], p[f[0]]))) / std::sqrt(dot(normal, normal));
+    const Vector3 normal = Cross(Difference(p[f[1]], p[f[0]]), Difference(p[f[2]], p[f[0]]));
+    h[i] = std::abs(Dot(normal, Difference(p[i], p[f[0]]))) / std::sqrt(Dot(normal, normal));
   }
   return h;
 }
 
-inline ClearStart findClearStart(
+inline ClearStart FindClearStart(
   const std::array<Vector3, 4>& p, const Vector4& eye, double clearance)
 {
   ClearStart start;
-  const Vector4 h = heights(p);
+  const Vector4 h = Heights(p);
   const double inscribed = 1.0 / (1.0 / h[0] + 1.0 / h[1] + 1.0 / h[2] + 1.0 / h[3]);
   if (!(inscribed > 0) || !std::isfinite(inscribed))
   {
     return start;
   }
-  const Vector4 q = eyeCoordinates(p, eye);
+  const Vector4 q = EyeCoordinates(p, eye);
   const double wanted = std::min(clearance, inscribed / 2);
   double way = 0; // from the eye to the centre of the inscribed sphere
   for (std::size_t i = 0; i < 4; ++i)
@@ -81,8 +81,8 @@ inline ClearStart findClearStart(
       start.Position[axis] = start.Weights[0] * p[0][axis] + start.Weights[1] * p[1][axis] +
         start.Weights[2] * p[2][axis] + start.Weights[3] * p[3][axis];
     }
-    const Vector3 moved = difference(start.Position, { { eye[0], eye[1], eye[2] } });
-    start.Moved = std::sqrt(dot(moved, moved));
+    const Vector3 moved = Difference(start.Position, { { eye[0], eye[1], eye[2] } });
+    start.Moved = std::sqrt(Dot(moved, moved));
   }
   return start;
 }

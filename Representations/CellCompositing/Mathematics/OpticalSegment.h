@@ -74,7 +74,7 @@ constexpr double quadratureNodes[numberOfQuadratureNodes][2] = {
  * all of it is the rounding of float: in double the rules err by 1.5e-8 at most (TestOpticalSegment).
  */
 template <typename Real>
-constexpr QuadratureRule quadratureRule(Real largest)
+constexpr QuadratureRule ChooseQuadratureRule(Real largest)
 {
   return largest <= Real(10) ? QuadratureRule{ 0, 10 } : QuadratureRule{ 10, 16 };
 }
@@ -84,7 +84,7 @@ constexpr double thinSegment = 1;
 
 /** Where along [0, 1] the optical depth reaches 18: what lies behind is darker than 1.5e-8 and is left out. */
 template <typename Real>
-Real opaqueEnd(Real tauFront, Real tauBack)
+Real OpaqueEnd(Real tauFront, Real tauBack)
 {
   constexpr Real cut = 18;
   const Real discriminant = tauFront * tauFront + 2 * (tauBack - tauFront) * cut;
@@ -100,7 +100,7 @@ Real opaqueEnd(Real tauFront, Real tauBack)
  * The error of the truncation is below 3e-7 for thin segments.
  */
 template <typename Real>
-SegmentWeights<Real> thinSegmentWeights(Real tauFront, Real tauBack)
+SegmentWeights<Real> ThinSegmentWeights(Real tauFront, Real tauBack)
 {
   const Real z = Real(0.25) * (tauFront + tauBack);
   const Real d = Real(0.5) * (tauBack - tauFront);
@@ -120,11 +120,11 @@ SegmentWeights<Real> thinSegmentWeights(Real tauFront, Real tauBack)
 
 /** By quadrature, whose terms are all positive: nothing cancels. */
 template <typename Real>
-SegmentWeights<Real> thickSegmentWeights(Real tauFront, Real tauBack)
+SegmentWeights<Real> ThickSegmentWeights(Real tauFront, Real tauBack)
 {
   const Real difference = tauBack - tauFront;
-  const Real end = opaqueEnd(tauFront, tauBack);
-  const QuadratureRule rule = quadratureRule(std::max(tauFront, tauBack));
+  const Real end = OpaqueEnd(tauFront, tauBack);
+  const QuadratureRule rule = ChooseQuadratureRule(std::max(tauFront, tauBack));
   SegmentWeights<Real> weights = { 0, 0 };
   for (int i = rule.First; i < rule.First + rule.Size; ++i)
   {
@@ -139,15 +139,15 @@ SegmentWeights<Real> thickSegmentWeights(Real tauFront, Real tauBack)
 
 /** Weights of the two end colours; optical depths >= 0. */
 template <typename Real>
-SegmentWeights<Real> exactSegmentWeights(Real tauFront, Real tauBack)
+SegmentWeights<Real> ExactSegmentWeights(Real tauFront, Real tauBack)
 {
-  return std::max(tauFront, tauBack) <= Real(thinSegment) ? thinSegmentWeights(tauFront, tauBack)
-                                                          : thickSegmentWeights(tauFront, tauBack);
+  return std::max(tauFront, tauBack) <= Real(thinSegment) ? ThinSegmentWeights(tauFront, tauBack)
+                                                          : ThickSegmentWeights(tauFront, tauBack);
 }
 
 /** The rule of MaxCrawfisBecker1993 section 2: exact transparency, mean of the two colours. */
 template <typename Real>
-SegmentWeights<Real> averageSegmentWeights(Real tauFront, Real tauBack)
+SegmentWeights<Real> AverageSegmentWeights(Real tauFront, Real tauBack)
 {
   const Real half = Real(-0.5) * std::expm1(Real(-0.5) * (tauFront + tauBack));
   return { half, half };

@@ -26,14 +26,14 @@ namespace nephoscope
 {
 
 /** The q_i above. The tetrahedron must have a volume; its orientation does not matter. */
-inline Vector4 eyeCoordinates(const std::array<Vector3, 4>& p, const Vector4& eye)
+inline Vector4 EyeCoordinates(const std::array<Vector3, 4>& p, const Vector4& eye)
 {
   Vector4 q;
   for (int i = 0; i < 4; ++i)
   {
     const auto& f = tetrahedronFaces[i];
     const Vector4 vertex = { p[i][0], p[i][1], p[i][2], 1.0 };
-    q[i] = planeSide(p[f[0]], p[f[1]], p[f[2]], eye) / planeSide(p[f[0]], p[f[1]], p[f[2]], vertex);
+    q[i] = PlaneSide(p[f[0]], p[f[1]], p[f[2]], eye) / PlaneSide(p[f[0]], p[f[1]], p[f[2]], vertex);
   }
   return q;
 }

@@ -44,7 +44,7 @@ public:
   /** With the owner's input and settings as they are now. */
   vtkCellCompositingMapper* GetMapper(vtkUnstructuredGridVolumeMapper* owner)
   {
-    copyInputAndScalars(owner, this->Mapper);
+    CopyInputAndScalars(owner, this->Mapper);
     this->Mapper->SetClippingPlanes(owner->GetClippingPlanes());
     return this->Mapper;
   }

@@ -60,13 +60,13 @@ struct OverrideState
   std::vector<std::pair<vtkSmartPointer<vtkObjectFactory>, const char*>> Silenced;
 };
 
-OverrideState& overrideState()
+OverrideState& StateOfOverride()
 {
   static OverrideState state;
   return state;
 }
 
-bool overrides(vtkObjectFactory* factory, const std::string& className)
+bool Overrides(vtkObjectFactory* factory, const std::string& className)
 {
   for (int i = 0; i < factory->GetNumberOfOverrides(); ++i)
   {
@@ -79,11 +79,11 @@ bool overrides(vtkObjectFactory* factory, const std::string& className)
 }
 
 // VTK asks factories in the order of their registration, so that those of VTK itself would answer first.
-void silenceOthers(OverrideState& state, const char* className)
+void SilenceOthers(OverrideState& state, const char* className)
 {
   for (vtkObjectFactory* factory : vtk::Range(vtkObjectFactory::GetRegisteredFactories()))
   {
-    if (factory != state.Factory && overrides(factory, className))
+    if (factory != state.Factory && Overrides(factory, className))
     {
       state.Silenced.emplace_back(factory, className);
       factory->SetEnableFlag(false, className, nullptr);
@@ -91,21 +91,21 @@ void silenceOthers(OverrideState& state, const char* className)
   }
 }
 
-void turnOn(OverrideState& state)
+void TurnOn(OverrideState& state)
 {
   state.Factory = vtk::TakeSmartPointer(CellCompositingFactory::New());
   vtkObjectFactory::RegisterFactory(state.Factory);
-  silenceOthers(state, projectedTetrahedra);
-  silenceOthers(state, rayCast);
+  SilenceOthers(state, projectedTetrahedra);
+  SilenceOthers(state, rayCast);
 }
 
-bool environmentAsks()
+bool EnvironmentAsks()
 {
   const char* value = std::getenv("NEPHOSCOPE_OVERRIDE_VTK");
   return value && *value && std::string(value) != "0";
 }
 
-void turnOff(OverrideState& state)
+void TurnOff(OverrideState& state)
 {
   for (const auto& [factory, className] : state.Silenced)
   {
@@ -122,18 +122,18 @@ void vtkCellCompositingOverride::SetEnabled(bool enabled)
 {
   if (enabled != GetEnabled())
   {
-    (enabled ? turnOn : turnOff)(overrideState());
+    (enabled ? TurnOn : TurnOff)(StateOfOverride());
   }
 }
 
 bool vtkCellCompositingOverride::GetEnabled()
 {
-  return overrideState().Factory != nullptr;
+  return StateOfOverride().Factory != nullptr;
 }
 
 void vtkCellCompositingOverride::ReadEnvironment()
 {
-  if (environmentAsks())
+  if (EnvironmentAsks())
   {
     SetEnabled(true);
   }
@@ -141,7 +141,7 @@ void vtkCellCompositingOverride::ReadEnvironment()
 
 void vtkCellCompositingOverride::SetEnabledInSettings(bool enabled)
 {
-  SetEnabled(enabled || environmentAsks());
+  SetEnabled(enabled || EnvironmentAsks());
 }
 
 void vtkCellCompositingOverride::PrintSelf(ostream& os, vtkIndent indent)

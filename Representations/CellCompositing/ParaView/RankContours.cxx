@@ -32,14 +32,14 @@ struct SumsAtPlace
   GradientSums Sums;
 };
 
-bool holdsOnAll(vtkMultiProcessController* controller, bool mine)
+bool HoldsOnAll(vtkMultiProcessController* controller, bool mine)
 {
   int own = mine ? 1 : 0, all = 0;
   controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
   return all != 0;
 }
 
-void findCenter(vtkMultiProcessController* controller, vtkDataSet* piece, double center[3])
+void FindCenter(vtkMultiProcessController* controller, vtkDataSet* piece, double center[3])
 {
   vtkBoundingBox mine, all;
   if (piece->GetNumberOfCells() > 0)
@@ -54,13 +54,13 @@ void findCenter(vtkMultiProcessController* controller, vtkDataSet* piece, double
 }
 
 // The places at which cells of other pieces may be.
-std::vector<vtkIdType> outerPlaces(vtkDataSet* piece, const PieceGradients& gradients)
+std::vector<vtkIdType> OuterPlaces(vtkDataSet* piece, const PieceGradients& gradients)
 {
   std::vector<vtkIdType> places(static_cast<std::size_t>(piece->GetNumberOfPoints()));
   std::iota(places.begin(), places.end(), 0);
   if (auto* cells = vtkUnstructuredGrid::SafeDownCast(piece))
   {
-    places = pointsOfSurface(cells);
+    places = PointsOfSurface(cells);
   }
   std::transform(places.begin(), places.end(), places.begin(),
     [&](vtkIdType point) { return gradients.PlaceOf(point); });
@@ -70,10 +70,10 @@ std::vector<vtkIdType> outerPlaces(vtkDataSet* piece, const PieceGradients& grad
 }
 
 // Adds the sums of the other ranks at the places that this one has too.
-void addThoseOfOthers(
+void AddThoseOfOthers(
   vtkMultiProcessController* controller, vtkDataSet* piece, PieceGradients& gradients)
 {
-  const std::vector<vtkIdType> outer = outerPlaces(piece, gradients);
+  const std::vector<vtkIdType> outer = OuterPlaces(piece, gradients);
   std::vector<Vector3> positions(outer.size());
   for (std::size_t i = 0; i < outer.size(); ++i)
   {
@@ -82,14 +82,14 @@ void addThoseOfOthers(
   std::vector<std::vector<SumsAtPlace>> own(
     static_cast<std::size_t>(controller->GetNumberOfProcesses()));
   std::map<Vector3, vtkIdType> places;
-  for (const SharedPlace& shared : placesOfSeveralRanks(positions))
+  for (const SharedPlace& shared : PlacesOfSeveralRanks(positions))
   {
     const vtkIdType place = outer[shared.Index];
     places[shared.Rounded] = place;
     own[static_cast<std::size_t>(shared.Rank)].push_back(
       { shared.Rounded, gradients.SumsAt(place) });
   }
-  for (const auto& others : tradeRecords(controller, own))
+  for (const auto& others : TradeRecords(controller, own))
   {
     for (const SumsAtPlace& other : others)
     {
@@ -103,12 +103,12 @@ void addThoseOfOthers(
 }
 }
 
-void storeRankContours(vtkDataSet* piece, const char* arrayName, bool ofMagnitude, bool gradients)
+void StoreRankContours(vtkDataSet* piece, const char* arrayName, bool ofMagnitude, bool gradients)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   vtkDataArray* array = arrayName ? piece->GetPointData()->GetArray(arrayName) : nullptr;
   array = array && (ofMagnitude || array->GetNumberOfComponents() == 1) ? array : nullptr;
-  if (!holdsOnAll(controller, array || piece->GetNumberOfCells() == 0))
+  if (!HoldsOnAll(controller, array || piece->GetNumberOfCells() == 0))
   {
     return;
   }
@@ -117,14 +117,14 @@ void storeRankContours(vtkDataSet* piece, const char* arrayName, bool ofMagnitud
   {
     array->GetFiniteRange(range, array->GetNumberOfComponents() == 1 ? 0 : -1);
   }
-  reduceRange(range);
-  storeNumbers(piece, storedContourRangeName, { range[0], range[1] });
+  ReduceRange(range);
+  StoreNumbers(piece, storedContourRangeName, { range[0], range[1] });
   if (gradients)
   {
     double center[3] = { 0, 0, 0 };
-    findCenter(controller, piece, center);
+    FindCenter(controller, piece, center);
     PieceGradients found(piece, array, range, center);
-    addThoseOfOthers(controller, piece, found);
+    AddThoseOfOthers(controller, piece, found);
     piece->GetPointData()->AddArray(found.Solve());
   }
 }

@@ -15,7 +15,7 @@ namespace nephoscope
  * array is missing on any rank, or has several components and `ofMagnitude` is false, nothing is stored, and each rank finds what its own cells have. The points that
  * several pieces have are exchanged for the gradients: 96 bytes each.
  */
-void storeRankContours(vtkDataSet* piece, const char* arrayName, bool ofMagnitude, bool gradients);
+void StoreRankContours(vtkDataSet* piece, const char* arrayName, bool ofMagnitude, bool gradients);
 
 } // namespace nephoscope
 

@@ -27,12 +27,12 @@ struct SharedPoint
   double X, Y, Z, Code;
 };
 
-bool atOnePlace(const SharedPoint& a, const SharedPoint& b)
+bool AtOnePlace(const SharedPoint& a, const SharedPoint& b)
 {
   return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
 }
 
-bool isMisnumbered(vtkUnstructuredGrid* cells)
+bool IsMisnumbered(vtkUnstructuredGrid* cells)
 {
   TetrahedronSource source(cells);
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
@@ -46,7 +46,7 @@ bool isMisnumbered(vtkUnstructuredGrid* cells)
 }
 
 // The wholes of the ranks before this one, and of all.
-std::pair<int, int> countWholes(vtkMultiProcessController* controller, int mine)
+std::pair<int, int> CountWholes(vtkMultiProcessController* controller, int mine)
 {
   std::vector<int> counts(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
   controller->AllGather(&mine, counts.data(), 1);
@@ -55,12 +55,12 @@ std::pair<int, int> countWholes(vtkMultiProcessController* controller, int mine)
     std::accumulate(counts.begin(), counts.end(), 0) };
 }
 
-std::vector<SharedPoint> sharedPoints(
+std::vector<SharedPoint> SharedPoints(
   vtkUnstructuredGrid* cells, ChessboardColors& colors, int firstWhole)
 {
   std::vector<Vector3> places;
   std::vector<double> codes;
-  for (const vtkIdType number : pointsOfSurface(cells))
+  for (const vtkIdType number : PointsOfSurface(cells))
   {
     const auto color = colors.ColorOf(number);
     Vector3 x;
@@ -72,7 +72,7 @@ std::vector<SharedPoint> sharedPoints(
     }
   }
   std::vector<SharedPoint> points;
-  for (const SharedPlace& shared : placesOfSeveralRanks(places))
+  for (const SharedPlace& shared : PlacesOfSeveralRanks(places))
   {
     const Vector3& x = shared.Rounded;
     points.push_back({ x[0], x[1], x[2], codes[shared.Index] });
@@ -80,7 +80,7 @@ std::vector<SharedPoint> sharedPoints(
   return points;
 }
 
-std::vector<SharedPoint> pointsOfAll(
+std::vector<SharedPoint> PointsOfAll(
   vtkMultiProcessController* controller, const std::vector<SharedPoint>& mine)
 {
   vtkNew<vtkDoubleArray> own, all;
@@ -93,7 +93,7 @@ std::vector<SharedPoint> pointsOfAll(
 }
 
 // False where a point would have to have both colours.
-bool joinRanks(std::vector<SharedPoint>& points, ColoredParts& wholes)
+bool JoinRanks(std::vector<SharedPoint>& points, ColoredParts& wholes)
 {
   std::sort(points.begin(), points.end(), [](const SharedPoint& a, const SharedPoint& b) {
     return std::tie(a.X, a.Y, a.Z, a.Code) < std::tie(b.X, b.Y, b.Z, b.Code);
@@ -101,7 +101,7 @@ bool joinRanks(std::vector<SharedPoint>& points, ColoredParts& wholes)
   bool fits = true;
   for (std::size_t i = 1; i < points.size() && fits; ++i)
   {
-    if (atOnePlace(points[i - 1], points[i]))
+    if (AtOnePlace(points[i - 1], points[i]))
     {
       const auto a = static_cast<std::int32_t>(points[i - 1].Code),
                  b = static_cast<std::int32_t>(points[i].Code);
@@ -112,7 +112,7 @@ bool joinRanks(std::vector<SharedPoint>& points, ColoredParts& wholes)
 }
 
 // The first whole of those that belong together is even.
-std::vector<unsigned char> paritiesOfWholes(ColoredParts& wholes, int first, std::size_t count)
+std::vector<unsigned char> ParitiesOfWholes(ColoredParts& wholes, int first, std::size_t count)
 {
   std::vector<int> flips(wholes.Count(), -1);
   std::vector<unsigned char> odd(count);
@@ -129,7 +129,7 @@ std::vector<unsigned char> paritiesOfWholes(ColoredParts& wholes, int first, std
   return odd;
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> noDivisions(vtkUnstructuredGrid* cells)
+vtkSmartPointer<vtkUnsignedCharArray> NoDivisions(vtkUnstructuredGrid* cells)
 {
   auto divisions = vtkSmartPointer<vtkUnsignedCharArray>::New();
   divisions->SetName(divisionName);
@@ -138,31 +138,31 @@ vtkSmartPointer<vtkUnsignedCharArray> noDivisions(vtkUnstructuredGrid* cells)
   return divisions;
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> rankDivisions(
+vtkSmartPointer<vtkUnsignedCharArray> RankDivisions(
   vtkMultiProcessController* controller, vtkUnstructuredGrid* cells)
 {
   ChessboardColors colors(cells);
-  int fits = colors.Find() && !isMisnumbered(cells), all = 0;
+  int fits = colors.Find() && !IsMisnumbered(cells), all = 0;
   controller->AllReduce(&fits, &all, 1, vtkCommunicator::MIN_OP);
   if (!all)
   {
-    return noDivisions(cells);
+    return NoDivisions(cells);
   }
-  const auto counts = countWholes(controller, static_cast<int>(colors.CountWholes()));
+  const auto counts = CountWholes(controller, static_cast<int>(colors.CountWholes()));
   ColoredParts wholes;
   for (int i = 0; i < counts.second; ++i)
   {
     wholes.Add();
   }
   std::vector<SharedPoint> points =
-    pointsOfAll(controller, sharedPoints(cells, colors, counts.first));
-  return joinRanks(points, wholes)
-    ? colors.MakeDivisions(paritiesOfWholes(wholes, counts.first, colors.CountWholes()))
-    : noDivisions(cells);
+    PointsOfAll(controller, SharedPoints(cells, colors, counts.first));
+  return JoinRanks(points, wholes)
+    ? colors.MakeDivisions(ParitiesOfWholes(wholes, counts.first, colors.CountWholes()))
+    : NoDivisions(cells);
 }
 }
 
-void storeRankDivisions(vtkUnstructuredGrid* cells)
+void StoreRankDivisions(vtkUnstructuredGrid* cells)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   // An empty piece goes with either.
@@ -171,7 +171,7 @@ void storeRankDivisions(vtkUnstructuredGrid* cells)
   controller->AllReduce(&own, &all, 1, vtkCommunicator::MIN_OP);
   if (!all)
   {
-    const auto divisions = rankDivisions(controller, cells);
+    const auto divisions = RankDivisions(controller, cells);
     if (!cells->GetCellData()->HasArray(divisionName))
     {
       cells->GetCellData()->AddArray(divisions);

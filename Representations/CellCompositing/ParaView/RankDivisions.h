@@ -13,7 +13,7 @@ namespace nephoscope
  * Stores the division of the cells of ChessboardDivision.h, 0 where the cells of all ranks together have none (divisionName in ChessboardDivision.h).
  * Cells that have the array keep it. All ranks must call it. The points of the surfaces of all pieces are exchanged: 32 bytes each.
  */
-void storeRankDivisions(vtkUnstructuredGrid* cells);
+void StoreRankDivisions(vtkUnstructuredGrid* cells);
 
 } // namespace nephoscope
 

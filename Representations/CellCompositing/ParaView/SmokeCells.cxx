@@ -13,38 +13,38 @@ namespace nephoscope
 {
 namespace
 {
-vtkMultiProcessController* otherRanks()
+vtkMultiProcessController* OtherRanks()
 {
   auto controller = vtkMultiProcessController::GetGlobalController();
   return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
 }
 } // namespace
 
-bool isSmoke(vtkDataSet* cells)
+bool IsSmoke(vtkDataSet* cells)
 {
-  int mine = smokeDensity(cells) ? 1 : 0, any = mine;
-  if (auto controller = otherRanks())
+  int mine = SmokeDensity(cells) ? 1 : 0, any = mine;
+  if (auto controller = OtherRanks())
   {
     controller->AllReduce(&mine, &any, 1, vtkCommunicator::MAX_OP);
   }
   return any != 0;
 }
 
-double smokeThickness(vtkDataSet* cells)
+double SmokeThickness(vtkDataSet* cells)
 {
-  const double youngestHere = leastSmokeAge(cells);
+  const double youngestHere = LeastSmokeAge(cells);
   double youngest = youngestHere;
-  if (auto controller = otherRanks())
+  if (auto controller = OtherRanks())
   {
     controller->AllReduce(&youngestHere, &youngest, 1, vtkCommunicator::MIN_OP);
   }
-  vtkBoundingBox box = boundsOfYoungSmoke(cells, youngest);
-  if (auto controller = otherRanks())
+  vtkBoundingBox box = BoundsOfYoungSmoke(cells, youngest);
+  if (auto controller = OtherRanks())
   {
     const vtkBoundingBox mine = box;
     controller->AllReduce(mine, box);
   }
-  return diameterOfSmoke(box);
+  return DiameterOfSmoke(box);
 }
 
 } // namespace nephoscope

@@ -22,20 +22,20 @@ namespace nephoscope
 {
 namespace
 {
-bool mayHoldVolumes(vtkDataSet* data)
+bool MayHoldVolumes(vtkDataSet* data)
 {
   return data && data->GetNumberOfCells() > 0 && !vtkPolyData::SafeDownCast(data);
 }
 
-bool isPointOrLine(int type)
+bool IsPointOrLine(int type)
 {
   return type == VTK_VERTEX || type == VTK_LINE;
 }
 
 // Whether a cell has the points that it has in a grid whose rows have so many points.
-bool isCellOfGrid(vtkIdType cell, int type, const vtkIdType* ids, vtkIdType row)
+bool IsCellOfGrid(vtkIdType cell, int type, const vtkIdType* ids, vtkIdType row)
 {
-  if (isPointOrLine(type))
+  if (IsPointOrLine(type))
   {
     return ids[0] == cell && (type == VTK_VERTEX || ids[1] == cell + 1);
   }
@@ -49,11 +49,11 @@ bool isCellOfGrid(vtkIdType cell, int type, const vtkIdType* ids, vtkIdType row)
  * Whether the cells are all those of a grid that is one point thick: what a rank gets of a grid that has fewer layers of cells than there are
  * ranks.
  */
-bool isLayerOfPoints(vtkDataSet* data)
+bool IsLayerOfPoints(vtkDataSet* data)
 {
   const int type = data->GetCellType(0);
   const bool isFlat = type == VTK_PIXEL || type == VTK_QUAD;
-  if (!isFlat && !isPointOrLine(type))
+  if (!isFlat && !IsPointOrLine(type))
   {
     return false;
   }
@@ -66,19 +66,19 @@ bool isLayerOfPoints(vtkDataSet* data)
   {
     data->GetCellPoints(cell, points);
     isLayer =
-      data->GetCellType(cell) == type && isCellOfGrid(cell, type, points->GetPointer(0), row);
+      data->GetCellType(cell) == type && IsCellOfGrid(cell, type, points->GetPointer(0), row);
   }
   return isLayer;
 }
 
-void removeGhosts(vtkDataSet* data)
+void RemoveGhosts(vtkDataSet* data)
 {
   data->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   data->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
 }
 
 // The division of the cells of a grid, in the order of their numbers.
-void storeDivisions(const ChessboardGrid& grid, vtkIdList* cells, vtkUnstructuredGrid* extracted)
+void StoreDivisions(const ChessboardGrid& grid, vtkIdList* cells, vtkUnstructuredGrid* extracted)
 {
   vtkNew<vtkUnsignedCharArray> divisions;
   divisions->SetName(divisionName);
@@ -92,7 +92,7 @@ void storeDivisions(const ChessboardGrid& grid, vtkIdList* cells, vtkUnstructure
   extracted->GetCellData()->AddArray(divisions);
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> extractedCells(vtkDataSet* data, vtkIdList* cells)
+vtkSmartPointer<vtkUnstructuredGrid> ExtractedCells(vtkDataSet* data, vtkIdList* cells)
 {
   constexpr const char* cellNumbers = "vtkOriginalCellIds";
   const bool hasNumbers = data->GetCellData()->HasArray(cellNumbers);
@@ -110,19 +110,19 @@ vtkSmartPointer<vtkUnstructuredGrid> extractedCells(vtkDataSet* data, vtkIdList*
 }
 } // namespace
 
-bool isAxisAligned(vtkDataSet* data)
+bool IsAxisAligned(vtkDataSet* data)
 {
   return vtkRectilinearGrid::SafeDownCast(data) || vtkImageData::SafeDownCast(data);
 }
 
-vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input, bool isPart)
+vtkSmartPointer<vtkDataSet> VolumetricPart(vtkDataObject* input, bool isPart)
 {
-  return appendedBlocks(input, [isPart](vtkDataSet* data) {
-    return mayHoldVolumes(data) && !(isPart && isLayerOfPoints(data));
+  return AppendedBlocks(input, [isPart](vtkDataSet* data) {
+    return MayHoldVolumes(data) && !(isPart && IsLayerOfPoints(data));
   });
 }
 
-vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data)
+vtkSmartPointer<vtkDataSet> WithConvexCells(vtkDataSet* data)
 {
   if (!vtkUnstructuredGrid::SafeDownCast(data))
   {
@@ -134,7 +134,7 @@ vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data)
   return divider->GetOutput();
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> visibleCells(vtkDataSet* data)
+vtkSmartPointer<vtkUnstructuredGrid> VisibleCells(vtkDataSet* data)
 {
   TetrahedronSource source(data);
   vtkNew<vtkIdList> cells;
@@ -154,25 +154,25 @@ vtkSmartPointer<vtkUnstructuredGrid> visibleCells(vtkDataSet* data)
   }
   else
   {
-    visible = extractedCells(data, cells);
+    visible = ExtractedCells(data, cells);
   }
-  const ChessboardGrid grid = findChessboardGrid(data);
+  const ChessboardGrid grid = FindChessboardGrid(data);
   if (!grid.IsEmpty())
   {
-    storeDivisions(grid, cells, visible);
+    StoreDivisions(grid, cells, visible);
   }
-  removeGhosts(visible);
+  RemoveGhosts(visible);
   return visible;
 }
 
-WholeCells formOfWholeCells(vtkUnstructuredGrid* cells)
+WholeCells FormOfWholeCells(vtkUnstructuredGrid* cells)
 {
   TetrahedronSource source(cells);
   bool warped = false;
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     const int type = cells->GetCellType(cell);
-    if (hexahedronForm(type).Tetrahedra == 0 && type != VTK_EMPTY_CELL)
+    if (HexahedronFormOf(type).Tetrahedra == 0 && type != VTK_EMPTY_CELL)
     {
       return WholeCells::Tetrahedra;
     }
@@ -185,7 +185,7 @@ WholeCells formOfWholeCells(vtkUnstructuredGrid* cells)
   return warped ? WholeCells::Trilinear : WholeCells::Either;
 }
 
-std::vector<vtkIdType> pointsOfSurface(vtkUnstructuredGrid* cells)
+std::vector<vtkIdType> PointsOfSurface(vtkUnstructuredGrid* cells)
 {
   if (cells->GetNumberOfCells() == 0)
   {
@@ -208,11 +208,11 @@ std::vector<vtkIdType> pointsOfSurface(vtkUnstructuredGrid* cells)
                    : std::vector<vtkIdType>();
 }
 
-vtkSmartPointer<vtkDataSet> withoutGhosts(vtkDataSet* cells)
+vtkSmartPointer<vtkDataSet> WithoutGhosts(vtkDataSet* cells)
 {
   auto copy = vtkSmartPointer<vtkDataSet>::Take(cells->NewInstance());
   copy->ShallowCopy(cells);
-  removeGhosts(copy);
+  RemoveGhosts(copy);
   return copy;
 }
 

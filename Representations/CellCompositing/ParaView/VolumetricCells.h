@@ -19,23 +19,23 @@ namespace nephoscope
 {
 
 /** True for datasets whose pieces are boxes that can be sorted by their bounds: images and rectilinear grids. */
-bool isAxisAligned(vtkDataSet* data);
+bool IsAxisAligned(vtkDataSet* data);
 
 /**
  * The dataset to draw: `input` itself (a shallow copy), or the blocks of a composite that have 3-D cells, appended.
  * Null when there is nothing volumetric in it. `isPart`: other ranks have others; the layer of points, without volume, that is left for a rank where a grid
  * has too few cells for all of them counts as nothing.
  */
-vtkSmartPointer<vtkDataSet> volumetricPart(vtkDataObject* input, bool isPart);
+vtkSmartPointer<vtkDataSet> VolumetricPart(vtkDataObject* input, bool isPart);
 
 /** The dataset itself or, if it has polyhedra that are not convex, a dataset in which tetrahedra replace them. */
-vtkSmartPointer<vtkDataSet> withConvexCells(vtkDataSet* data);
+vtkSmartPointer<vtkDataSet> WithConvexCells(vtkDataSet* data);
 
 /**
  * The visible cells as an unstructured grid, without ghost arrays, which ParaView may spread over ranks. Those of a grid keep its division into
  * tetrahedra (divisionName in ChessboardDivision.h).
  */
-vtkSmartPointer<vtkUnstructuredGrid> visibleCells(vtkDataSet* data);
+vtkSmartPointer<vtkUnstructuredGrid> VisibleCells(vtkDataSet* data);
 
 /** What a list of cells may be drawn as. */
 enum class WholeCells
@@ -44,13 +44,13 @@ enum class WholeCells
   Either,
   Trilinear ///< by default: some are so warped that their tetrahedra overlap
 };
-WholeCells formOfWholeCells(vtkUnstructuredGrid* cells);
+WholeCells FormOfWholeCells(vtkUnstructuredGrid* cells);
 
 /** The numbers of the points on the outside of the cells. */
-std::vector<vtkIdType> pointsOfSurface(vtkUnstructuredGrid* cells);
+std::vector<vtkIdType> PointsOfSurface(vtkUnstructuredGrid* cells);
 
 /** The delivered cells without the flags of those that other ranks have, too. */
-vtkSmartPointer<vtkDataSet> withoutGhosts(vtkDataSet* cells);
+vtkSmartPointer<vtkDataSet> WithoutGhosts(vtkDataSet* cells);
 
 } // namespace nephoscope
 

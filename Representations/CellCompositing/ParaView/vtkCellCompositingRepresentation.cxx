@@ -33,7 +33,7 @@ vtkCellCompositingRepresentation::vtkCellCompositingRepresentation()
   , CellInterpolation(this->Mapper->GetCellInterpolation())
 {
   this->Actor->SetMapper(this->Mapper);
-  nephoscope::forwardMessages(this->Mapper, this);
+  nephoscope::ForwardMessages(this->Mapper, this);
 }
 
 vtkCellCompositingRepresentation::~vtkCellCompositingRepresentation() = default;
@@ -41,36 +41,36 @@ vtkCellCompositingRepresentation::~vtkCellCompositingRepresentation() = default;
 void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
 {
   this->Piece =
-    nephoscope::withConvexCells(nephoscope::volumetricPart(input, GetNumberOfRanks() > 1));
+    nephoscope::WithConvexCells(nephoscope::VolumetricPart(input, GetNumberOfRanks() > 1));
   int association = 0;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const nephoscope::CellMedium medium{ scalars,
     association == vtkDataObject::FIELD_ASSOCIATION_CELLS };
-  const nephoscope::MediumBounds mine = nephoscope::boundsOfCells(this->Piece);
+  const nephoscope::MediumBounds mine = nephoscope::BoundsOfCells(this->Piece);
   const nephoscope::MediumBounds common =
-    nephoscope::robustBoundsOfCells(this->Piece, nephoscope::reductionOverRanks());
+    nephoscope::RobustBoundsOfCells(this->Piece, nephoscope::ReductionOverRanks());
   const nephoscope::MediumMeasures all =
-    nephoscope::reduceOverRanks(nephoscope::measureCells(this->Piece, medium, common));
+    nephoscope::ReduceOverRanks(nephoscope::MeasureCells(this->Piece, medium, common));
   std::copy(mine.begin(), mine.end(), this->DataBounds);
   double smokeDistance = 0.0;
-  if (this->GetOpacityArrayName().empty() && nephoscope::isSmoke(this->Piece) && all.Volume > 0.0)
+  if (this->GetOpacityArrayName().empty() && nephoscope::IsSmoke(this->Piece) && all.Volume > 0.0)
   {
     // The density at the polygon makes the times of an unsteady flow comparable.
-    const double initial = nephoscope::initialSmokeDensity(this->Piece);
+    const double initial = nephoscope::InitialSmokeDensity(this->Piece);
     const double density = initial > 0.0 ? initial : all.ScalarIntegral / all.Volume;
-    smokeDistance = nephoscope::smokeThickness(this->Piece) * density / smokeOpticalDepth;
+    smokeDistance = nephoscope::SmokeThickness(this->Piece) * density / smokeOpticalDepth;
   }
 
   // The measures are those of a sample.
   const bool hasNoVolume =
-    all.Volume <= 0.0 && MinimumOverRanks(nephoscope::holdsVolume(this->Piece) ? 0 : 1) == 1;
+    all.Volume <= 0.0 && MinimumOverRanks(nephoscope::HoldsVolume(this->Piece) ? 0 : 1) == 1;
   if (hasNoVolume)
   {
     this->Piece = nullptr; // the mapper would tell the same in its own words
   }
   this->WarnOfNoVolume(hasNoVolume && HoldsAnything(input));
   // A rank without cells can not know what the others hold; an empty unstructured grid goes with either.
-  this->AxisAligned = !this->Piece || nephoscope::isAxisAligned(this->Piece);
+  this->AxisAligned = !this->Piece || nephoscope::IsAxisAligned(this->Piece);
   if (!this->Piece)
   {
     this->Piece = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -84,7 +84,7 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
     }
   }
   StoreMeasures(this->Piece,
-    smokeDistance > 0.0 ? smokeDistance : nephoscope::defaultUnitDistance(all, common, true),
+    smokeDistance > 0.0 ? smokeDistance : nephoscope::DefaultUnitDistance(all, common, true),
     all.ScalarRange);
 }
 
@@ -136,7 +136,7 @@ vtkDataArray* vtkCellCompositingRepresentation::FindOpacityArray(
   if (this->DrawsSmoke(cells))
   {
     association = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-    return nephoscope::smokeDensity(cells);
+    return nephoscope::SmokeDensity(cells);
   }
   return this->Superclass::FindOpacityArray(cells, association);
 }

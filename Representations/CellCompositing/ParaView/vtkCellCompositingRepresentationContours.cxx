@@ -15,14 +15,14 @@
 
 namespace
 {
-std::string arrayName(const char* name)
+std::string ArrayName(const char* name)
 {
   const std::string chosen = name ? name : "";
   return chosen == "None" ? std::string() : chosen;
 }
 
 template <typename List, typename Value>
-void setItem(List& list, int i, const Value& value)
+void SetItem(List& list, int i, const Value& value)
 {
   if (i >= 0)
   {
@@ -31,13 +31,13 @@ void setItem(List& list, int i, const Value& value)
   }
 }
 
-std::size_t sizeOf(int number)
+std::size_t SizeOf(int number)
 {
   return static_cast<std::size_t>(std::max(number, 0));
 }
 
 /** A property with the functions of another, but for the colours where there are some, and a factor on its extinction. */
-void imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale,
+void Imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale,
   vtkColorTransferFunction* colors)
 {
   layer->SetScalarOpacity(volume->GetScalarOpacity());
@@ -73,30 +73,30 @@ void vtkCellCompositingRepresentation::SetNumberOfContourValues(int number)
 
 void vtkCellCompositingRepresentation::SetContourOpacities(int i, double opacity)
 {
-  setItem(this->ContourOpacities, i, opacity);
+  SetItem(this->ContourOpacities, i, opacity);
 }
 
 void vtkCellCompositingRepresentation::SetNumberOfContourOpacities(int number)
 {
-  this->ContourOpacities.resize(sizeOf(number));
+  this->ContourOpacities.resize(SizeOf(number));
 }
 
 void vtkCellCompositingRepresentation::SetContourColors(
   int i, double red, double green, double blue)
 {
-  setItem(this->ContourColors, i, std::array<double, 3>{ { red, green, blue } });
+  SetItem(this->ContourColors, i, std::array<double, 3>{ { red, green, blue } });
 }
 
 void vtkCellCompositingRepresentation::SetNumberOfContourColors(int number)
 {
-  this->ContourColors.resize(sizeOf(number));
+  this->ContourColors.resize(SizeOf(number));
 }
 
 void vtkCellCompositingRepresentation::SetContourArray(const char* name)
 {
-  if (arrayName(name) != this->Mapper->GetContourArrayName())
+  if (ArrayName(name) != this->Mapper->GetContourArrayName())
   {
-    this->Mapper->SetContourArrayName(arrayName(name));
+    this->Mapper->SetContourArrayName(ArrayName(name));
     this->HasGradients = false; // they are those of another array
     this->FollowContours();
   }
@@ -116,28 +116,28 @@ void vtkCellCompositingRepresentation::SetSmoothContourNormals(bool smooth)
 
 void vtkCellCompositingRepresentation::SetLayerArray(const char* name)
 {
-  this->Mapper->SetLayerArrayName(arrayName(name));
+  this->Mapper->SetLayerArrayName(ArrayName(name));
 }
 
 void vtkCellCompositingRepresentation::SetLayerOpacityScale(int layer, double scale)
 {
-  setItem(this->LayerOpacityScales, layer, scale);
+  SetItem(this->LayerOpacityScales, layer, scale);
 }
 
 void vtkCellCompositingRepresentation::SetNumberOfLayerOpacityScales(int number)
 {
-  this->LayerOpacityScales.resize(sizeOf(number), 1.0);
+  this->LayerOpacityScales.resize(SizeOf(number), 1.0);
 }
 
 void vtkCellCompositingRepresentation::SetLayerColor(
   int layer, double red, double green, double blue)
 {
-  setItem(this->LayerColors, layer, std::array<double, 3>{ { red, green, blue } });
+  SetItem(this->LayerColors, layer, std::array<double, 3>{ { red, green, blue } });
 }
 
 void vtkCellCompositingRepresentation::SetNumberOfLayerColors(int number)
 {
-  this->LayerColors.resize(sizeOf(number), { { -1.0, -1.0, -1.0 } });
+  this->LayerColors.resize(SizeOf(number), { { -1.0, -1.0, -1.0 } });
 }
 
 void vtkCellCompositingRepresentation::AddLayerColorFunction(vtkScalarsToColors* function)
@@ -268,6 +268,6 @@ void vtkCellCompositingRepresentation::PrepareLayers()
       this->Mapper->SetLayerProperty(static_cast<int>(i), this->LayerProperties[i]);
     }
     const double scale = i < this->LayerOpacityScales.size() ? this->LayerOpacityScales[i] : 1.0;
-    imitate(this->LayerProperties[i], this->Actor->GetProperty(), scale, this->FindLayerColors(i));
+    Imitate(this->LayerProperties[i], this->Actor->GetProperty(), scale, this->FindLayerColors(i));
   }
 }

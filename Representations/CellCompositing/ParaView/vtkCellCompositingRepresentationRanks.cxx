@@ -32,24 +32,24 @@ namespace
 {
 constexpr const char* formName = "NephoscopeFormOfCells";
 
-bool endsRays(int method)
+bool EndsRays(int method)
 {
   return method != vtkCellCompositingMapper::TRIANGLES_LINEAR_METHOD &&
     method != vtkCellCompositingMapper::TRIANGLES_TABLE_METHOD &&
     method != vtkCellCompositingMapper::FACES_METHOD;
 }
 
-void addCellsTo(vtkBoundingBox& box, vtkDataSet* piece)
+void AddCellsTo(vtkBoundingBox& box, vtkDataSet* piece)
 {
   if (piece && piece->GetNumberOfCells() > 0)
   {
-    const nephoscope::MediumBounds bounds = nephoscope::boundsOfCells(piece);
+    const nephoscope::MediumBounds bounds = nephoscope::BoundsOfCells(piece);
     box.AddBounds(bounds.data());
   }
 }
 
 // By more than rounding: neighbours share a face.
-bool overlap(vtkBoundingBox a, const vtkBoundingBox& b)
+bool Overlap(vtkBoundingBox a, const vtkBoundingBox& b)
 {
   const double rounding = 1e-6 * a.GetMaxLength();
   return a.IsValid() && b.IsValid() && a.IntersectBox(b) && a.GetLength(0) > rounding &&
@@ -57,7 +57,7 @@ bool overlap(vtkBoundingBox a, const vtkBoundingBox& b)
 }
 
 // All ranks call it, each with a box of its own.
-bool doAnyOverlap(const vtkBoundingBox& box)
+bool DoAnyOverlap(const vtkBoundingBox& box)
 {
   auto* controller = vtkMultiProcessController::GetGlobalController();
   double mine[6];
@@ -68,7 +68,7 @@ bool doAnyOverlap(const vtkBoundingBox& box)
   {
     for (std::size_t j = 0; j < i; j += 6)
     {
-      if (overlap(vtkBoundingBox(&all[i]), vtkBoundingBox(&all[j])))
+      if (Overlap(vtkBoundingBox(&all[i]), vtkBoundingBox(&all[j])))
       {
         return true;
       }
@@ -82,7 +82,7 @@ bool doAnyOverlap(const vtkBoundingBox& box)
 bool vtkCellCompositingRepresentation::HasSeveralGrids() const
 {
   vtkBoundingBox box;
-  addCellsTo(box, this->Piece);
+  AddCellsTo(box, this->Piece);
   bool others = false;
   vtkView* view = this->GetView();
   for (int i = 0; view && i < view->GetNumberOfRepresentations(); ++i)
@@ -95,11 +95,11 @@ bool vtkCellCompositingRepresentation::HasSeveralGrids() const
     auto* other = vtkCellCompositingRepresentation::SafeDownCast(shown);
     if (other && other != this && other->GetVisibility() && other->KeepsPiece)
     {
-      addCellsTo(box, other->Piece);
+      AddCellsTo(box, other->Piece);
       others = true;
     }
   }
-  return others && doAnyOverlap(box);
+  return others && DoAnyOverlap(box);
 }
 
 void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
@@ -107,7 +107,7 @@ void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
   const bool isImage = vtkImageData::SafeDownCast(this->Piece) != nullptr;
   this->Superclass::MovePiece(matrix);
   const bool aligned =
-    this->Piece->GetNumberOfCells() == 0 || nephoscope::isAxisAligned(this->Piece);
+    this->Piece->GetNumberOfCells() == 0 || nephoscope::IsAxisAligned(this->Piece);
   if (this->AxisAligned && MinimumOverRanks(aligned ? 1 : 0) == 0)
   {
     this->AxisAligned = false;
@@ -127,19 +127,19 @@ void vtkCellCompositingRepresentation::FinishPiece()
   const bool isFound = !chosen.empty() || this->FindColorArray(this->Piece, association, name);
   const bool onPoints = association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
   this->HasGradients = this->NeedsGradients();
-  nephoscope::storeRankContours(
+  nephoscope::StoreRankContours(
     this->Piece, isFound && onPoints ? name : nullptr, !chosen.empty(), this->HasGradients);
 }
 
 // Cells that the view may spread over ranks, which all draw the same kind of field; `areEven`: one rank draws that of the whole cells.
 void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
 {
-  const vtkSmartPointer<vtkUnstructuredGrid> cells = nephoscope::visibleCells(this->Piece);
+  const vtkSmartPointer<vtkUnstructuredGrid> cells = nephoscope::VisibleCells(this->Piece);
   if (GetNumberOfRanks() > 1)
   {
-    nephoscope::storeRankDivisions(cells);
+    nephoscope::StoreRankDivisions(cells);
   }
-  const auto mine = nephoscope::formOfWholeCells(cells);
+  const auto mine = nephoscope::FormOfWholeCells(cells);
   using Form = nephoscope::WholeCells;
   const bool canBeTrilinear = MinimumOverRanks(mine == Form::Tetrahedra ? 0 : 1) == 1;
   const bool isWarped = MinimumOverRanks(mine == Form::Trilinear ? 0 : 1) == 0;
@@ -147,7 +147,7 @@ void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
     : isWarped || areEven          ? Form::Trilinear
                                    : Form::Either;
   this->Piece = cells;
-  nephoscope::storeNumbers(cells, formName, { static_cast<double>(all) });
+  nephoscope::StoreNumbers(cells, formName, { static_cast<double>(all) });
 }
 
 void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
@@ -177,15 +177,15 @@ vtkDataSet* vtkCellCompositingRepresentation::CompletePiece(vtkDataSet* data, vt
 {
   // A method that cannot end rays draws each cell on the rank that owns it.
   const bool divided = data && GetNumberOfRanks() > 1 && !this->AxisAligned &&
-    endsRays(this->Mapper->GetMethod()) && nephoscope::boxesOfRanks(this->GetView()) != nullptr;
-  this->EndRaysAt(divided ? nephoscope::regionOfRank(this->GetView()) : nephoscope::wholeSpace);
+    EndsRays(this->Mapper->GetMethod()) && nephoscope::BoxesOfRanks(this->GetView()) != nullptr;
+  this->EndRaysAt(divided ? nephoscope::RegionOfRank(this->GetView()) : nephoscope::wholeSpace);
   if (!divided)
   {
     return data;
   }
   if (data != this->Delivered || data->GetMTime() != this->DeliveredTime)
   {
-    this->Complete = nephoscope::withoutGhosts(data);
+    this->Complete = nephoscope::WithoutGhosts(data);
     this->Delivered = data;
     this->DeliveredTime = data->GetMTime();
   }

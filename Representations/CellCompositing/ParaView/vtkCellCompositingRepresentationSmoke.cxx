@@ -13,7 +13,7 @@
 
 bool vtkCellCompositingRepresentation::DrawsSmoke(vtkDataSet* cells) const
 {
-  return this->GetOpacityArrayName().empty() && nephoscope::smokeDensity(cells) != nullptr;
+  return this->GetOpacityArrayName().empty() && nephoscope::SmokeDensity(cells) != nullptr;
 }
 
 std::string vtkCellCompositingRepresentation::PrepareOpacity(vtkDataSet* cells)
@@ -22,7 +22,7 @@ std::string vtkCellCompositingRepresentation::PrepareOpacity(vtkDataSet* cells)
   {
     return this->Superclass::PrepareOpacity(cells);
   }
-  vtkDataArray* density = nephoscope::visibleSmoke(cells);
+  vtkDataArray* density = nephoscope::VisibleSmoke(cells);
   this->FollowDensity(density, false);
   return density->GetName();
 }

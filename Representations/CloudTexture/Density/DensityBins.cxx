@@ -21,7 +21,7 @@ constexpr double shift = 0.37;
 using Box = std::array<double, 6>;
 using Direction = std::array<double, 3>;
 
-Box boxOf(const DensityTetrahedra& cells, const DensityTetrahedra::Corners& corners)
+Box BoxOf(const DensityTetrahedra& cells, const DensityTetrahedra::Corners& corners)
 {
   Box box;
   for (int axis = 0; axis < 3; ++axis)
@@ -95,7 +95,7 @@ void DensityBins::VisitBins(
   const DensityTetrahedra& cells, std::size_t tetrahedron, Visit visit) const
 {
   const auto& corners = cells.Tetrahedra[tetrahedron];
-  const Box box = boxOf(cells, corners);
+  const Box box = BoxOf(cells, corners);
   const Planes planes(cells, corners);
   int first[3], last[3];
   for (int axis = 0; axis < 3; ++axis)
@@ -152,7 +152,7 @@ void DensityBins::ChooseSize(const DensityTetrahedra& cells)
   }
   for (const auto& corners : cells.Tetrahedra)
   {
-    const Box box = boxOf(cells, corners);
+    const Box box = BoxOf(cells, corners);
     for (int axis = 0; axis < 3; ++axis)
     {
       this->Bounds[2 * axis] = std::min(this->Bounds[2 * axis], box[2 * axis]);

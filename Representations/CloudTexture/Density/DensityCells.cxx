@@ -44,7 +44,7 @@ std::string DensityCells::Take(const std::vector<DensityBlock>& blocks)
 
 std::string DensityCells::GetShaderCode() const
 {
-  return arrayDeclarations(currentArrayLayout()) + CloudGridWalkFunctions + CloudCellsFunction;
+  return ArrayDeclarations(CurrentArrayLayout()) + CloudGridWalkFunctions + CloudCellsFunction;
 }
 
 std::string DensityCells::Upload(vtkOpenGLRenderWindow* window)

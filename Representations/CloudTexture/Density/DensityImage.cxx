@@ -37,8 +37,8 @@ void DensityImage::Read(vtkDataArray* array)
   for (std::size_t i = 0; i < this->Values.size(); ++i)
   {
     const double value = array->GetComponent(static_cast<vtkIdType>(i), 0);
-    wrong += !isDensity(value);
-    this->Values[i] = isDensity(value) ? static_cast<float>(value) : 0.0f;
+    wrong += !IsDensity(value);
+    this->Values[i] = IsDensity(value) ? static_cast<float>(value) : 0.0f;
     sum += this->Values[i];
     count += this->Values[i] > 0;
   }

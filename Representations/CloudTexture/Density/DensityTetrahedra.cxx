@@ -20,7 +20,7 @@ namespace
 using Point = std::array<float, 4>;
 
 /** Six times the volume. */
-double sixVolumes(const Point& a, const Point& b, const Point& c, const Point& d)
+double SixVolumes(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   double edges[3][3];
   const Point* others[3] = { &b, &c, &d };
@@ -137,7 +137,7 @@ void DensityTetrahedra::TakeBlock(const DensityBlock& block, bool onCells, Count
   std::vector<std::int32_t> numbers(static_cast<std::size_t>(block.Data->GetNumberOfPoints()), -1);
   const auto densityAt = [&](vtkIdType id) {
     const double density = block.Densities->GetComponent(id, 0);
-    return isDensity(density) ? static_cast<float>(density) : 0.0f;
+    return IsDensity(density) ? static_cast<float>(density) : 0.0f;
   };
   const auto numberOf = [&](vtkIdType id) {
     std::int32_t& number = numbers[static_cast<std::size_t>(id)];
@@ -154,7 +154,7 @@ void DensityTetrahedra::TakeBlock(const DensityBlock& block, bool onCells, Count
   for (vtkIdType tuple = 0; tuple < block.Densities->GetNumberOfTuples(); ++tuple)
   {
     const double density = block.Densities->GetComponent(tuple, 0);
-    counts.Wrong += std::isfinite(density) && !isDensity(density);
+    counts.Wrong += std::isfinite(density) && !IsDensity(density);
   }
   for (vtkIdType cell = 0; cell < block.Data->GetNumberOfCells(); ++cell)
   {
@@ -183,7 +183,7 @@ void DensityTetrahedra::TakeBlock(const DensityBlock& block, bool onCells, Count
 void DensityTetrahedra::Add(Corners corners, double density, bool onCells, Counts& counts)
 {
   const auto& p = this->Points;
-  const double volume = sixVolumes(p[corners[0]], p[corners[1]], p[corners[2]], p[corners[3]]);
+  const double volume = SixVolumes(p[corners[0]], p[corners[1]], p[corners[2]], p[corners[3]]);
   if (!(volume > 0) || !(density > 0))
   {
     return;

@@ -20,19 +20,19 @@ namespace nephoscope
 {
 namespace
 {
-vtkDataArray* arrayOf(vtkDataSetAttributes* attributes, const std::string& name)
+vtkDataArray* ArrayOf(vtkDataSetAttributes* attributes, const std::string& name)
 {
   return name.empty() ? attributes->GetScalars() : attributes->GetArray(name.c_str());
 }
 
 /** The density of the points where there is such an array, else of the cells. */
-DensityBlock densityOf(vtkDataSet* block, const std::string& name)
+DensityBlock DensityOf(vtkDataSet* block, const std::string& name)
 {
-  vtkDataArray* ofPoints = arrayOf(block->GetPointData(), name);
-  return { block, ofPoints ? ofPoints : arrayOf(block->GetCellData(), name), !ofPoints };
+  vtkDataArray* ofPoints = ArrayOf(block->GetPointData(), name);
+  return { block, ofPoints ? ofPoints : ArrayOf(block->GetCellData(), name), !ofPoints };
 }
 
-std::string errorOf(const DensityBlock& block, const std::string& name)
+std::string ErrorOf(const DensityBlock& block, const std::string& name)
 {
   if (!block.Densities)
   {
@@ -48,13 +48,13 @@ std::string errorOf(const DensityBlock& block, const std::string& name)
       std::to_string(components);
 }
 
-bool isPlainImage(const DensityBlock& block)
+bool IsPlainImage(const DensityBlock& block)
 {
   return !block.OnCells && vtkImageData::SafeDownCast(block.Data) &&
     !block.Data->GetCellGhostArray() && !block.Data->GetPointGhostArray();
 }
 
-std::unique_ptr<DensityVolume> makeImage(const DensityBlock& block, std::string& error)
+std::unique_ptr<DensityVolume> MakeImage(const DensityBlock& block, std::string& error)
 {
   auto* image = vtkImageData::SafeDownCast(block.Data);
   const int* size = image->GetDimensions();
@@ -67,7 +67,7 @@ std::unique_ptr<DensityVolume> makeImage(const DensityBlock& block, std::string&
 }
 }
 
-std::unique_ptr<DensityVolume> makeDensityVolume(
+std::unique_ptr<DensityVolume> MakeDensityVolume(
   vtkDataObject* data, const std::string& name, std::string& error)
 {
   error.clear();
@@ -79,8 +79,8 @@ std::unique_ptr<DensityVolume> makeDensityVolume(
   std::size_t without = 0;
   for (vtkDataSet* block : DataSetsOf(data))
   {
-    const DensityBlock density = densityOf(block, name);
-    const std::string wrong = errorOf(density, name);
+    const DensityBlock density = DensityOf(block, name);
+    const std::string wrong = ErrorOf(density, name);
     without += !wrong.empty();
     error = wrong.empty() ? error : wrong;
     if (wrong.empty())
@@ -97,9 +97,9 @@ std::unique_ptr<DensityVolume> makeDensityVolume(
         ", which has no cells to integrate in: convert it to an unstructured grid";
     return nullptr;
   }
-  if (blocks.size() == 1 && without == 0 && isPlainImage(blocks.front()))
+  if (blocks.size() == 1 && without == 0 && IsPlainImage(blocks.front()))
   {
-    return makeImage(blocks.front(), error);
+    return MakeImage(blocks.front(), error);
   }
   std::unique_ptr<DensityCells> cells(new DensityCells);
   const std::string told = error;

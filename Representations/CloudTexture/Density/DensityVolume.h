@@ -44,13 +44,13 @@ public:
 };
 
 /** Values that are a density. */
-inline bool isDensity(double value)
+inline bool IsDensity(double value)
 {
   return value >= 0 && value < 1e30;
 }
 
 /** `name`: of a point or cell array; empty: active scalars. Null if there are no data, or for the reason given in `error`. */
-std::unique_ptr<DensityVolume> makeDensityVolume(
+std::unique_ptr<DensityVolume> MakeDensityVolume(
   vtkDataObject* data, const std::string& name, std::string& error);
 
 } // namespace nephoscope

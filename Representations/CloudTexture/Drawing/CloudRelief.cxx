@@ -18,7 +18,7 @@
 namespace nephoscope
 {
 
-void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights)
+void AddReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights)
 {
   std::string source = fragment->GetSource();
   if (source.find("vec3 normalVCVSOutput =") == std::string::npos)
@@ -37,7 +37,7 @@ void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights)
   fragment->SetSource(source);
 }
 
-double largestWaveLength(
+double LargestWaveLength(
   vtkPolyData* surface, double given, double scale, const GardnerWaves& waves)
 {
   vtkDataArray* told = surface->GetFieldData()->GetArray("TextureLength");

@@ -16,10 +16,10 @@ namespace nephoscope
  * Raises the normal that the fragment shader lights, if it lights one. To be called when normals have been written into it and lights
  * have not. "weights" is what the shader calls the weights of the two sets.
  */
-void addReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights);
+void AddReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights);
 
 /** Length of the largest waves on the surface. The length of one texture unit is that of its field data, otherwise "given", otherwise that of the surface. */
-double largestWaveLength(
+double LargestWaveLength(
   vtkPolyData* surface, double given, double scale, const GardnerWaves& waves);
 
 } // namespace nephoscope

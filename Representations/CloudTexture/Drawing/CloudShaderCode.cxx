@@ -17,20 +17,20 @@ namespace nephoscope
 {
 namespace
 {
-const char* word(bool value)
+const char* Word(bool value)
 {
   return value ? "true" : "false";
 }
 
-std::string constantsOf(const TexturedSurface& surface, bool hasColors, const GardnerWaves& waves)
+std::string ConstantsOf(const TexturedSurface& surface, bool hasColors, const GardnerWaves& waves)
 {
-  return gardnerConstants(waves) + "const bool hasSecondSet = " + word(surface.HasSecondSet) +
-    ";\n" + "const bool hasNormals = " + word(!surface.Normals.empty()) + ";\n" +
-    "const bool hasColors = " + word(hasColors) + ";\n";
+  return GardnerConstants(waves) + "const bool hasSecondSet = " + Word(surface.HasSecondSet) +
+    ";\n" + "const bool hasNormals = " + Word(!surface.Normals.empty()) + ";\n" +
+    "const bool hasColors = " + Word(hasColors) + ";\n";
 }
 
 /** Looks at the list of the pixel, or at as many layers as were found. */
-std::string layerLookups(bool hasDensity, int drawings)
+std::string LayerLookups(bool hasDensity, int drawings)
 {
   if (drawings == 0)
   {
@@ -42,13 +42,13 @@ std::string layerLookups(bool hasDensity, int drawings)
   std::ostringstream uniforms, code;
   for (int i = 0; i < drawings; ++i)
   {
-    uniforms << "uniform sampler2D " << depthsUniform(i) << ";\n";
+    uniforms << "uniform sampler2D " << DepthsUniform(i) << ";\n";
     code << "  if (cloudDrawings > " << i << ")\n  {\n    considerLayer(texelFetch("
-         << depthsUniform(i) << ", pixel, 0), ";
+         << DepthsUniform(i) << ", pixel, 0), ";
     if (hasDensity)
     {
-      uniforms << "uniform sampler2D " << densitiesUniform(i) << ";\n";
-      code << "texelFetch(" << densitiesUniform(i) << ", pixel, 0)";
+      uniforms << "uniform sampler2D " << DensitiesUniform(i) << ";\n";
+      code << "texelFetch(" << DensitiesUniform(i) << ", pixel, 0)";
     }
     else
     {
@@ -59,7 +59,7 @@ std::string layerLookups(bool hasDensity, int drawings)
   return uniforms.str() + "void considerLayers(ivec2 pixel)\n{\n" + code.str() + "}\n";
 }
 
-std::string input(const std::vector<CloudAttribute>& attributes, const std::string& name,
+std::string Input(const std::vector<CloudAttribute>& attributes, const std::string& name,
   const std::string& otherwise)
 {
   for (const CloudAttribute& a : attributes)
@@ -72,14 +72,14 @@ std::string input(const std::vector<CloudAttribute>& attributes, const std::stri
   return otherwise;
 }
 
-void addBefore(vtkShader* shader, const std::string& tag, const std::string& code)
+void AddBefore(vtkShader* shader, const std::string& tag, const std::string& code)
 {
   std::string source = shader->GetSource();
   vtkShaderProgram::Substitute(source, tag, code + "\n" + tag, false);
   shader->SetSource(source);
 }
 
-void addVertexCode(std::map<vtkShader::Type, vtkShader*>& shaders,
+void AddVertexCode(std::map<vtkShader::Type, vtkShader*>& shaders,
   const std::vector<CloudAttribute>& attributes, bool view, bool world)
 {
   std::string vertexDec, vertexImpl, geometryDec, geometryImpl;
@@ -109,20 +109,20 @@ void addVertexCode(std::map<vtkShader::Type, vtkShader*>& shaders,
     geometryDec += "in vec3 cloudWorldVSOutput[];\nout vec3 cloudWorldGSOutput;\n";
     geometryImpl += "  cloudWorldGSOutput = cloudWorldVSOutput[i];\n";
   }
-  addBefore(shaders[vtkShader::Vertex], "//VTK::Color::Dec", vertexDec);
-  addBefore(shaders[vtkShader::Vertex], "//VTK::Color::Impl", vertexImpl);
-  addBefore(shaders[vtkShader::Geometry], "//VTK::Color::Dec", geometryDec);
-  addBefore(shaders[vtkShader::Geometry], "//VTK::Color::Impl", geometryImpl);
+  AddBefore(shaders[vtkShader::Vertex], "//VTK::Color::Dec", vertexDec);
+  AddBefore(shaders[vtkShader::Vertex], "//VTK::Color::Impl", vertexImpl);
+  AddBefore(shaders[vtkShader::Geometry], "//VTK::Color::Dec", geometryDec);
+  AddBefore(shaders[vtkShader::Geometry], "//VTK::Color::Impl", geometryImpl);
 }
 }
 
-std::vector<std::string> allCloudAttributeNames()
+std::vector<std::string> AllCloudAttributeNames()
 {
   return { "cloudPlace", "cloudTexture1", "cloudTexture2", "cloudCover", "cloudNormal",
     "cloudDensity", "cloudWeights" };
 }
 
-std::vector<CloudAttribute> cloudAttributesOf(const TexturedSurface& surface)
+std::vector<CloudAttribute> CloudAttributesOf(const TexturedSurface& surface)
 {
   std::vector<CloudAttribute> result{ { "cloudPlace", "vec3", placeArrayName },
     { "cloudTexture1", "vec3", textureArrayNames[0] } };
@@ -140,26 +140,26 @@ std::vector<CloudAttribute> cloudAttributesOf(const TexturedSurface& surface)
   return result;
 }
 
-std::string depthsUniform(int i)
+std::string DepthsUniform(int i)
 {
   return "cloudDepths" + std::to_string(i);
 }
 
-std::string densitiesUniform(int i)
+std::string DensitiesUniform(int i)
 {
   return "cloudDensities" + std::to_string(i);
 }
 
-std::string layerConstants(const TexturedSurface& surface)
+std::string LayerConstants(const TexturedSurface& surface)
 {
-  return std::string("const bool hasDensity = ") + word(surface.HasDensity) + ";\n";
+  return std::string("const bool hasDensity = ") + Word(surface.HasDensity) + ";\n";
 }
 
-void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
+void AddCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
   const CloudShaderChoice& choice)
 {
-  const std::vector<CloudAttribute> attributes = cloudAttributesOf(surface);
-  addVertexCode(shaders, attributes, choice.UseThickness, choice.HasRegion);
+  const std::vector<CloudAttribute> attributes = CloudAttributesOf(surface);
+  AddVertexCode(shaders, attributes, choice.UseThickness, choice.HasRegion);
   std::string dec, early;
   // By thickness places are those in the view.
   const std::string place = choice.UseThickness ? "cloudViewVSOutput" : "cloudPlaceVSOutput";
@@ -170,7 +170,7 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
       : "in " + a.Type + " " + a.Name + "VSOutput;\n";
   }
   dec += "uniform float coverage;\nuniform vec2 textureWeights;\n" +
-    constantsOf(surface, choice.HasColors, choice.Waves) + GardnerTextureFunctions +
+    ConstantsOf(surface, choice.HasColors, choice.Waves) + GardnerTextureFunctions +
     CloudOpacityFunction;
   if (choice.HasRegion)
   {
@@ -179,22 +179,22 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
       "  if (any(lessThan(cloudWorldVSOutput, regionLow)) || any(greaterThanEqual(cloudWorldVSOutput, regionHigh)))\n"
       "  {\n    discard;\n  }\n";
   }
-  const std::string normal = input(attributes, "cloudNormal", "vec3(0.0)");
+  const std::string normal = Input(attributes, "cloudNormal", "vec3(0.0)");
   std::string depth = "  float cloudAdded = 0.0;\n  float cloudDepthOnRay = opticalDepthOfLayer(" +
     place + ", " + normal + ");\n";
   if (choice.UseThickness)
   {
     std::string thickness = CloudThicknessFunction;
     vtkShaderProgram::Substitute(
-      thickness, "//NEPHOSCOPE::Layers", layerLookups(surface.HasDensity, choice.Drawings));
+      thickness, "//NEPHOSCOPE::Layers", LayerLookups(surface.HasDensity, choice.Drawings));
     vtkShaderProgram::Substitute(thickness, "//NEPHOSCOPE::DensityVolume",
       choice.DensityVolume.empty() ? "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n"
                                    : choice.DensityVolume);
-    dec += std::string("const bool hasDensityVolume = ") + word(!choice.DensityVolume.empty()) +
+    dec += std::string("const bool hasDensityVolume = ") + Word(!choice.DensityVolume.empty()) +
       ";\nin vec3 cloudViewVSOutput;\n" + thickness;
     early +=
       "  float cloudThickness = cloudDrawings < 0 ? noThickness\n    : cloudOpticalDepth(cloudViewVSOutput, " +
-      input(attributes, "cloudDensity", "1.0") +
+      Input(attributes, "cloudDensity", "1.0") +
       ", gl_FrontFacing == (cloudFrontIsFront != 0));\n" +
       "  if (cloudThickness < 0.0)\n  {\n    discard;\n  }\n";
     depth +=
@@ -204,17 +204,17 @@ void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
       ? "  cloudAdded = thicknessWeight * cloudDepthOnRay;\n  cloudDepthOnRay = opticalDepth;\n"
       : "";
   }
-  const std::string second = input(attributes, "cloudTexture2", "vec3(0.0)");
+  const std::string second = Input(attributes, "cloudTexture2", "vec3(0.0)");
   vtkShader* fragment = shaders[vtkShader::Fragment];
-  addBefore(fragment, "//VTK::Color::Dec", dec);
-  addBefore(fragment, "//VTK::UniformFlow::Impl",
+  AddBefore(fragment, "//VTK::Color::Dec", dec);
+  AddBefore(fragment, "//VTK::UniformFlow::Impl",
     "  takeFootprints(" + place + ", cloudTexture1VSOutput, " + second + ");\n");
   // What starts no cloud is no layer for depth peeling either.
-  addBefore(fragment, "//VTK::DepthPeeling::PreColor", early);
+  AddBefore(fragment, "//VTK::DepthPeeling::PreColor", early);
   std::string source = fragment->GetSource();
   const std::string opacity = depth + "  vec4 cloudLooks = cloudLook(cloudTexture1VSOutput, " +
-    second + ", " + input(attributes, "cloudWeights", "textureWeights") + ", " +
-    input(attributes, "cloudCover", "coverage") + ", cloudDepthOnRay, cloudAdded);\n" +
+    second + ", " + Input(attributes, "cloudWeights", "textureWeights") + ", " +
+    Input(attributes, "cloudCover", "coverage") + ", cloudDepthOnRay, cloudAdded);\n" +
     "  opacity *= cloudLooks.a;\n  ambientColor *= cloudLooks.rgb;\n  diffuseColor *= cloudLooks.rgb;\n";
   vtkShaderProgram::Substitute(
     source, "//VTK::Color::Impl", "//VTK::Color::Impl\n" + opacity, false);

@@ -25,8 +25,8 @@ struct CloudAttribute
 };
 
 /** All that the mapper may map to attributes. */
-std::vector<std::string> allCloudAttributeNames();
-std::vector<CloudAttribute> cloudAttributesOf(const TexturedSurface& surface);
+std::vector<std::string> AllCloudAttributeNames();
+std::vector<CloudAttribute> CloudAttributesOf(const TexturedSurface& surface);
 
 /** The properties on which the program depends, apart from the surface. */
 struct CloudShaderChoice
@@ -41,14 +41,14 @@ struct CloudShaderChoice
 };
 
 /** Names of the uniforms of layer i. */
-std::string depthsUniform(int i);
-std::string densitiesUniform(int i);
+std::string DepthsUniform(int i);
+std::string DensitiesUniform(int i);
 
 /** Constant hasDensity of the shaders of layers. */
-std::string layerConstants(const TexturedSurface& surface);
+std::string LayerConstants(const TexturedSurface& surface);
 
 /** Multiplies the opacity of the fragment by that of the cloud, and its colours by those of the texture. */
-void addCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
+void AddCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
   const CloudShaderChoice& choice);
 
 } // namespace nephoscope

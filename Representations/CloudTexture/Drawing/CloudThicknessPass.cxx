@@ -46,7 +46,7 @@ int CloudThicknessPass::LimitDrawings(int clouds, bool withDensities)
 void CloudThicknessPass::FindView(const Request& request)
 {
   const ViewState view(request.Renderer, request.Actor, request.Center);
-  this->IsParallel = isParallel(view.ViewToDevice);
+  this->IsParallel = IsParallelProjection(view.ViewToDevice);
   // OpenGL counts matrices by columns.
   for (int i = 0; i < 4; ++i)
   {
@@ -60,7 +60,7 @@ void CloudThicknessPass::FindView(const Request& request)
   {
     this->ViewToData->SetElement(i, 3, this->ViewToData->GetElement(i, 3) + request.Center[i]);
   }
-  const auto toView = depthToView(view.ViewToDevice);
+  const auto toView = DepthToViewOf(view.ViewToDevice);
   std::copy(toView.begin(), toView.end(), this->DepthToView);
   this->Near = static_cast<float>(request.Renderer->GetActiveCamera()->GetClippingRange()[0]);
   // Device coordinates are left-handed: a view that is not mirrored turns the sense around.
@@ -255,11 +255,11 @@ void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinctio
   {
     const int found = std::min(
       i, this->Layers.GetNumberOfDrawings() - 1); // what is not read needs some texture, too
-    program->SetUniformi(depthsUniform(i).c_str(), this->Layers.GetDepths(found)->GetTextureUnit());
+    program->SetUniformi(DepthsUniform(i).c_str(), this->Layers.GetDepths(found)->GetTextureUnit());
     if (this->WithDensities)
     {
       program->SetUniformi(
-        densitiesUniform(i).c_str(), this->Layers.GetDensities(found)->GetTextureUnit());
+        DensitiesUniform(i).c_str(), this->Layers.GetDensities(found)->GetTextureUnit());
     }
   }
 }

@@ -24,7 +24,7 @@ class KeepPeeling
 public:
   void BeforeDrawing(vtkOpenGLRenderWindow* window, vtkProp* prop)
   {
-    vtkDualDepthPeelingPass* pass = peelingPass(prop);
+    vtkDualDepthPeelingPass* pass = PeelingPass(prop);
     const unsigned int buffers = pass ? pass->GetActiveDrawBuffers() : 0;
     if (buffers == buffersOfPeels && this->IsFirst)
     {

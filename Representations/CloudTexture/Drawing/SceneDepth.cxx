@@ -40,13 +40,13 @@ SceneDepth::~SceneDepth() = default;
 
 bool SceneDepth::IsTold(vtkProp* prop)
 {
-  vtkDualDepthPeelingPass* pass = peelingPass(prop);
+  vtkDualDepthPeelingPass* pass = PeelingPass(prop);
   return !pass || pass->GetActiveDrawBuffers() == buffersOfFirstStage;
 }
 
 vtkTextureObject* SceneDepth::Find(const Request& request)
 {
-  if (!peelingPass(request.Prop))
+  if (!PeelingPass(request.Prop))
   {
     this->Buffer.Copy(request.Window, request.Viewport);
     return this->Buffer.GetTexture();
@@ -98,7 +98,7 @@ bool SceneDepth::AskPass(const Request& request)
   vtkShaderProgram* program = this->Quad->Program;
   if (program)
   {
-    peelingPass(request.Prop)->SetShaderParameters(program, request.Mapper, request.Prop);
+    PeelingPass(request.Prop)->SetShaderParameters(program, request.Mapper, request.Prop);
     this->Quad->Render();
   }
   state->PopFramebufferBindings();

@@ -22,7 +22,7 @@ namespace
 {
 constexpr int largestRows = 4095; // numbers of nodes are exact in float
 
-void allocate(
+void AllocateStorage(
   vtkTextureObject* image, vtkOpenGLRenderWindow* window, int width, int height, bool isFloat)
 {
   image->SetContext(window);
@@ -69,13 +69,13 @@ void SurfaceLists::Allocate(const SurfaceLayers::Request& request, int rows)
     this->ReleaseGraphicsResources(request.Window);
     this->HeadsFramebuffer->SetContext(request.Window);
     this->Framebuffer->SetContext(request.Window);
-    allocate(this->Heads, request.Window, request.Size[0], request.Size[1] + 1, false);
+    AllocateStorage(this->Heads, request.Window, request.Size[0], request.Size[1] + 1, false);
     std::copy_n(request.Size, 2, this->Size);
   }
   if (rows > this->Rows)
   {
     this->Nodes->ReleaseGraphicsResources(request.Window);
-    allocate(this->Nodes, request.Window, Columns, rows, true);
+    AllocateStorage(this->Nodes, request.Window, Columns, rows, true);
     this->Rows = rows;
   }
 }

@@ -24,7 +24,7 @@ namespace nephoscope
 {
 
 /** Bessel function J_k(x), whole k, from its integral; to rounding for |x| < 60. */
-inline double besselJ(int k, double x)
+inline double BesselJ(int k, double x)
 {
   constexpr int steps = 128;
   double sum = 0;
@@ -37,7 +37,7 @@ inline double besselJ(int k, double x)
 }
 
 /** The fourth powers of all amplitudes, unfiltered. */
-inline double gardnerFourth(const GardnerWaves& waves = paperWaves())
+inline double GardnerFourth(const GardnerWaves& waves = PaperWaves())
 {
   double sum = 0;
   for (const GardnerWave& wave : waves)
@@ -51,7 +51,7 @@ inline double gardnerFourth(const GardnerWaves& waves = paperWaves())
 class BlendDistribution
 {
 public:
-  explicit BlendDistribution(double fourth, const GardnerWaves& waves = paperWaves())
+  explicit BlendDistribution(double fourth, const GardnerWaves& waves = PaperWaves())
   {
     // From 1/2 on: two textures with weights whose fourth powers add up to it. Below: two in equal parts, and a Gaussian.
     const double split = fourth >= 0.5 ? std::sqrt(2 * std::min(1.0, fourth) - 1) : 0;
@@ -66,7 +66,7 @@ public:
       double phi = std::exp(-rest * t * t / 2);
       for (const GardnerWave& wave : waves)
       {
-        phi *= besselJ(0, w1 * wave.Amplitude * t) * besselJ(0, w2 * wave.Amplitude * t);
+        phi *= BesselJ(0, w1 * wave.Amplitude * t) * BesselJ(0, w2 * wave.Amplitude * t);
       }
       this->Terms[k] = phi * step / (gardnerPi * t);
     }
@@ -98,7 +98,7 @@ public:
   static constexpr int rows = 9;
   static constexpr double farthest = 4.0; ///< threshold of cover 0, beyond all values
 
-  explicit CoverageThresholds(const GardnerWaves& waves = paperWaves())
+  explicit CoverageThresholds(const GardnerWaves& waves = PaperWaves())
   {
     this->Values.reserve(columns * rows);
     for (int row = 0; row < rows; ++row)
@@ -158,7 +158,7 @@ private:
 };
 
 /** Threshold above which the share "cover" of a texture lies, with soft edges. "fourth": sum of the fourth powers of its amplitudes, over that of all waves. */
-inline double thresholdOfCover(
+inline double ThresholdOfCover(
   const CoverageThresholds& thresholds, double cover, double softness, double fourth = 1)
 {
   const double variance = 1 + softness * softness;
@@ -166,7 +166,7 @@ inline double thresholdOfCover(
 }
 
 /** Its inverse for one set of waves: the fraction of the texture above a threshold. */
-inline double coverOfThreshold(const GardnerWaves& waves, double threshold, double softness)
+inline double CoverOfThreshold(const GardnerWaves& waves, double threshold, double softness)
 {
   const double variance = 1 + softness * softness;
   const double t = threshold / std::sqrt(variance);

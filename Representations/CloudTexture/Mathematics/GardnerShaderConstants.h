@@ -17,7 +17,7 @@ namespace nephoscope
 
 /** Constants, not uniforms: software OpenGL fetches those anew for every pixel, at the cost of a texture. */
 template <typename Value>
-std::string arrayOfWaves(
+std::string ArrayOfWaves(
   const std::string& type, const std::string& name, const GardnerWaves& waves, const Value& value)
 {
   std::ostringstream result;
@@ -33,7 +33,7 @@ std::string arrayOfWaves(
   return result.str();
 }
 
-inline std::string gardnerConstants(const GardnerWaves& waves)
+inline std::string GardnerConstants(const GardnerWaves& waves)
 {
   const auto vector = [](std::ostream& os, const Point3<double>& frequency, double fourth) {
     os << "vec4(" << frequency[0] << ", " << frequency[1] << ", " << frequency[2] << ", " << fourth
@@ -47,17 +47,17 @@ inline std::string gardnerConstants(const GardnerWaves& waves)
   std::ostringstream result;
   result << std::scientific << std::setprecision(9);
   result << "const int numberOfWaves = " << waves.size() << ";\n"
-         << arrayOfWaves("vec4", "gardnerWaves", waves,
+         << ArrayOfWaves("vec4", "gardnerWaves", waves,
               [&](std::ostream& os, const GardnerWave& wave) {
                 vector(os, wave.Frequency, wave.Amplitude);
               })
-         << arrayOfWaves("vec4", "gardnerShifts", waves,
+         << ArrayOfWaves("vec4", "gardnerShifts", waves,
               [&](std::ostream& os, const GardnerWave& wave) {
                 vector(os, wave.ShiftFrequency, wave.Phase);
               })
-         << arrayOfWaves("float", "gardnerTurns", waves,
+         << ArrayOfWaves("float", "gardnerTurns", waves,
               [](std::ostream& os, const GardnerWave& wave) { os << wave.Shift / (2 * gardnerPi); })
-         << "const float gardnerFourth = " << gardnerFourth(waves) << ";\n"
+         << "const float gardnerFourth = " << GardnerFourth(waves) << ";\n"
          << "const float largestAmplitude = " << largest << ";\n"
          << "const float thresholdColumns = " << double(CoverageThresholds::columns) << ";\n"
          << "const float thresholdRows = " << double(CoverageThresholds::rows) << ";\n";

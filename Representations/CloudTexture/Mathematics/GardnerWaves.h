@@ -37,7 +37,7 @@ struct GardnerWave
 using GardnerWaves = std::vector<GardnerWave>;
 
 /** Waves of the same proportions, and variance 1. Empty where there is no wave. */
-inline GardnerWaves normalized(GardnerWaves waves)
+inline GardnerWaves Normalized(GardnerWaves waves)
 {
   double variance = 0;
   for (const GardnerWave& wave : waves)
@@ -56,7 +56,7 @@ inline GardnerWaves normalized(GardnerWaves waves)
 }
 
 /** b, c and d of each wave; amplitudes fall by 0.7, phases shift by 2. */
-inline GardnerWaves wavesOfPaper(const std::vector<Point3<double>>& frequencies)
+inline GardnerWaves WavesOfPaper(const std::vector<Point3<double>>& frequencies)
 {
   GardnerWaves waves;
   double amplitude = 1;
@@ -69,14 +69,14 @@ inline GardnerWaves wavesOfPaper(const std::vector<Point3<double>>& frequencies)
     waves.push_back(wave);
     amplitude *= 0.7;
   }
-  return normalized(waves);
+  return Normalized(waves);
 }
 
 /**
  * All directions, and frequencies and amplitudes from 2.4 and 1 to 66 and 0.05, chosen among 4000 sets for slices whose spectrum is the same all round. No wave
  * may dominate; otherwise clouds are stripes. Periods: 10; on longitudes 1 in u, where frequencies along u are rounded.
  */
-inline GardnerWaves cloudWaves()
+inline GardnerWaves CloudWaves()
 {
   constexpr double ratio = 0.7633;
   constexpr double values[][7] = { { -2, 0.8, 1.1, 0, -0.7, 0.6, 0.12 },
@@ -93,15 +93,15 @@ inline GardnerWaves cloudWaves()
     waves.push_back({ amplitude, { { v[0], v[1], v[2] } }, 3, { { v[3], v[4], v[5] } }, v[6] });
     amplitude *= ratio;
   }
-  return normalized(waves);
+  return Normalized(waves);
 }
 
 /**
  * Phases shift along the direction across the wave, (c, -b) / 2, as the text of MaxCrawfisBecker1993 asks. Periods: 1 in u, 2 in v, 10 in w.
  */
-inline GardnerWaves paperWaves()
+inline GardnerWaves PaperWaves()
 {
-  GardnerWaves waves = wavesOfPaper({ { { 3, 2, 2.1 } }, { { -5, 4, -3.3 } }, { { 8, -6, 5.2 } },
+  GardnerWaves waves = WavesOfPaper({ { { 3, 2, 2.1 } }, { { -5, 4, -3.3 } }, { { 8, -6, 5.2 } },
     { { 11, 12, -7.9 } }, { { -19, 16, 11.3 } }, { { 27, -26, 15.1 } }, { { 41, 42, -22.7 } } });
   for (GardnerWave& wave : waves)
   {
@@ -114,9 +114,9 @@ inline GardnerWaves paperWaves()
  * As printed in MaxCrawfisBecker1993: the shift is 2 sin((b u - a v) / 2), with the amplitude a in the place of a frequency (in radians). Every b is even,
  * since half of it must be whole.
  */
-inline GardnerWaves printedWaves()
+inline GardnerWaves PrintedWaves()
 {
-  GardnerWaves waves = wavesOfPaper({ { { 4, 2, 2.1 } }, { { -6, 4, -3.3 } }, { { 8, -6, 5.2 } },
+  GardnerWaves waves = WavesOfPaper({ { { 4, 2, 2.1 } }, { { -6, 4, -3.3 } }, { { 8, -6, 5.2 } },
     { { 12, 12, -7.9 } }, { { -20, 16, 11.3 } }, { { 28, -26, 15.1 } }, { { 42, 42, -22.7 } } });
   for (GardnerWave& wave : waves)
   {
@@ -129,7 +129,7 @@ inline GardnerWaves printedWaves()
  * As in Gardner1985: along u and along v, frequencies doubled and amplitudes times 0.707 from octave to octave; the phase shifts by pi / 2, with half the
  * frequency of its wave, along the other axes. His sums along u and v are multiplied, these are added.
  */
-inline GardnerWaves gardnersWaves()
+inline GardnerWaves GardnersWaves()
 {
   constexpr int octaves = 5;
   GardnerWaves waves;
@@ -149,20 +149,20 @@ inline GardnerWaves gardnersWaves()
     waves.push_back(alongU);
     waves.push_back(alongV);
   }
-  return normalized(waves);
+  return Normalized(waves);
 }
 
 /** By the number that vtkCloudTextureMapper has for them. */
-inline GardnerWaves presetWaves(int preset)
+inline GardnerWaves PresetWaves(int preset)
 {
-  return preset == 1 ? paperWaves()
-    : preset == 2    ? printedWaves()
-    : preset == 3    ? gardnersWaves()
-                     : cloudWaves();
+  return preset == 1 ? PaperWaves()
+    : preset == 2    ? PrintedWaves()
+    : preset == 3    ? GardnersWaves()
+                     : CloudWaves();
 }
 
 /** Frequencies along u become whole numbers, because the texture wraps around in longitude. */
-inline void closeOnLongitudes(GardnerWaves& waves)
+inline void CloseOnLongitudes(GardnerWaves& waves)
 {
   for (GardnerWave& wave : waves)
   {
@@ -172,7 +172,7 @@ inline void closeOnLongitudes(GardnerWaves& waves)
 }
 
 /** Amplitude, frequencies, shift, its frequencies, phase. */
-inline void listWave(const GardnerWaves& waves, int i, double values[9])
+inline void ListWave(const GardnerWaves& waves, int i, double values[9])
 {
   const GardnerWave none;
   const GardnerWave& wave =
@@ -185,13 +185,13 @@ inline void listWave(const GardnerWaves& waves, int i, double values[9])
 }
 
 /** Empty, or why they are no texture. */
-inline std::string describeUnusable(const GardnerWaves& waves)
+inline std::string DescribeUnusable(const GardnerWaves& waves)
 {
   const std::string remedy = " The waves of Clouds are drawn instead.";
   for (std::size_t i = 0; i < waves.size(); ++i)
   {
     double values[9];
-    listWave(waves, static_cast<int>(i), values);
+    ListWave(waves, static_cast<int>(i), values);
     const std::string wave = "Custom wave " + std::to_string(i);
     if (!std::all_of(values, values + 9, [](double x) { return std::abs(x) <= 1e6; }))
     {
@@ -202,7 +202,7 @@ inline std::string describeUnusable(const GardnerWaves& waves)
       return wave + " has no frequency: set b, c or d." + remedy;
     }
   }
-  return normalized(waves).empty()
+  return Normalized(waves).empty()
     ? "Custom waves need at least one amplitude that is not 0." + remedy
     : std::string();
 }

@@ -28,7 +28,7 @@ namespace
 // By their place in a composite dataset, which is the same on all ranks; 0 for data that are not composite.
 using Grids = std::map<int, vtkSmartPointer<vtkUnstructuredGrid>>;
 
-Grids gridsOf(vtkDataObject* input)
+Grids GridsOf(vtkDataObject* input)
 {
   Grids grids;
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -51,7 +51,7 @@ Grids gridsOf(vtkDataObject* input)
   return grids;
 }
 
-bool hasDuplicates(vtkDataSet* data)
+bool HasDuplicates(vtkDataSet* data)
 {
   vtkUnsignedCharArray* flags = data->GetCellGhostArray();
   const unsigned char* begin = flags ? flags->GetPointer(0) : nullptr;
@@ -61,7 +61,7 @@ bool hasDuplicates(vtkDataSet* data)
 }
 
 // Those that lack the cells of other ranks. Collective.
-std::vector<int> placesWithoutNeighbors(vtkMultiProcessController* controller, const Grids& grids)
+std::vector<int> PlacesWithoutNeighbors(vtkMultiProcessController* controller, const Grids& grids)
 {
   const int mine = grids.empty() ? 0 : grids.rbegin()->first + 1;
   int places = 0;
@@ -70,8 +70,8 @@ std::vector<int> placesWithoutNeighbors(vtkMultiProcessController* controller, c
   std::vector<int> here(2 * static_cast<std::size_t>(places) + 1, 0), all(here);
   for (const auto& [place, grid] : grids)
   {
-    here[2 * static_cast<std::size_t>(place)] = hasVolumes(grid) ? 1 : 0;
-    here[2 * static_cast<std::size_t>(place) + 1] = hasDuplicates(grid) ? 1 : 0;
+    here[2 * static_cast<std::size_t>(place)] = HasVolumes(grid) ? 1 : 0;
+    here[2 * static_cast<std::size_t>(place) + 1] = HasDuplicates(grid) ? 1 : 0;
   }
   controller->AllReduce(
     here.data(), all.data(), static_cast<vtkIdType>(here.size()), vtkCommunicator::SUM_OP);
@@ -88,7 +88,7 @@ std::vector<int> placesWithoutNeighbors(vtkMultiProcessController* controller, c
 }
 
 // Collective.
-vtkSmartPointer<vtkUnstructuredGrid> completed(vtkUnstructuredGrid* grid)
+vtkSmartPointer<vtkUnstructuredGrid> Completed(vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkUnstructuredGrid> nothing;
   vtkNew<vtkGhostCellsGenerator> generator;
@@ -99,7 +99,7 @@ vtkSmartPointer<vtkUnstructuredGrid> completed(vtkUnstructuredGrid* grid)
   return vtkUnstructuredGrid::SafeDownCast(generator->GetOutputDataObject(0));
 }
 
-void replaceGrids(vtkCompositeDataSet* composite, const Grids& replacements)
+void ReplaceGrids(vtkCompositeDataSet* composite, const Grids& replacements)
 {
   auto leaves = vtk::TakeSmartPointer(composite->NewIterator());
   for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
@@ -113,7 +113,7 @@ void replaceGrids(vtkCompositeDataSet* composite, const Grids& replacements)
 }
 } // namespace
 
-bool hasVolumes(vtkDataSet* data)
+bool HasVolumes(vtkDataSet* data)
 {
   std::array<bool, VTK_NUMBER_OF_CELL_TYPES> seen{};
   vtkNew<vtkGenericCell> cell;
@@ -133,19 +133,19 @@ bool hasVolumes(vtkDataSet* data)
   return false;
 }
 
-vtkSmartPointer<vtkDataObject> withNeighborCells(vtkDataObject* input)
+vtkSmartPointer<vtkDataObject> WithNeighborCells(vtkDataObject* input)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (!controller || controller->GetNumberOfProcesses() < 2)
   {
     return input;
   }
-  const Grids grids = gridsOf(input);
+  const Grids grids = GridsOf(input);
   Grids replacements;
-  for (const int place : placesWithoutNeighbors(controller, grids))
+  for (const int place : PlacesWithoutNeighbors(controller, grids))
   {
     const auto found = grids.find(place);
-    auto grid = completed(found == grids.end() ? nullptr : found->second.Get());
+    auto grid = Completed(found == grids.end() ? nullptr : found->second.Get());
     if (found != grids.end() && grid)
     {
       replacements[place] = grid;
@@ -160,7 +160,7 @@ vtkSmartPointer<vtkDataObject> withNeighborCells(vtkDataObject* input)
     return replacements.begin()->second;
   }
   vtkSmartPointer<vtkDataObject> copy = SharedCopy(input);
-  replaceGrids(vtkCompositeDataSet::SafeDownCast(copy), replacements);
+  ReplaceGrids(vtkCompositeDataSet::SafeDownCast(copy), replacements);
   return copy;
 }
 

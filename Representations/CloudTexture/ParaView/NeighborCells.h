@@ -13,13 +13,13 @@ namespace nephoscope
 {
 
 /** Whether there is a 3-D cell. */
-bool hasVolumes(vtkDataSet* data);
+bool HasVolumes(vtkDataSet* data);
 
 /**
  * `input`, or a copy whose unstructured grids have a layer of cells of other ranks, marked as duplicates. A grid that has such cells
  * already, or 3-D cells on one rank only, stays as it is. `input` may be null. Collective.
  */
-vtkSmartPointer<vtkDataObject> withNeighborCells(vtkDataObject* input);
+vtkSmartPointer<vtkDataObject> WithNeighborCells(vtkDataObject* input);
 
 } // namespace nephoscope
 

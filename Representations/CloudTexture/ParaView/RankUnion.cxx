@@ -36,10 +36,10 @@ namespace
 using DataSets = std::vector<vtkSmartPointer<vtkDataSet>>;
 
 // By rank. Collective.
-std::vector<DataSets> ofEachRank(const DataSets& own)
+std::vector<DataSets> OfEachRank(const DataSets& own)
 {
   constexpr int tag = 26140;
-  auto* controller = otherRanks();
+  auto* controller = OtherRanks();
   std::vector<DataSets> ofRanks(
     static_cast<std::size_t>(controller ? controller->GetNumberOfProcesses() : 1));
   ofRanks[static_cast<std::size_t>(controller ? controller->GetLocalProcessId() : 0)] = own;
@@ -65,12 +65,12 @@ std::vector<DataSets> ofEachRank(const DataSets& own)
   };
   if (controller)
   {
-    meetOtherRanks(controller, send, receive);
+    MeetOtherRanks(controller, send, receive);
   }
   return ofRanks;
 }
 
-DataSets together(const std::vector<DataSets>& ofRanks)
+DataSets Together(const std::vector<DataSets>& ofRanks)
 {
   DataSets all;
   for (const DataSets& some : ofRanks)
@@ -117,7 +117,7 @@ private:
   std::map<Vector3, Vector3> Points; // by the box that they are in
 };
 
-vtkBoundingBox boxOf(const DataSets& surfaces)
+vtkBoundingBox BoxOf(const DataSets& surfaces)
 {
   vtkBoundingBox box;
   for (vtkDataSet* surface : surfaces)
@@ -128,12 +128,12 @@ vtkBoundingBox boxOf(const DataSets& surfaces)
 }
 
 // Ranks compute the points that their pieces have in common each for itself. A surface with gaps between pieces is not closed.
-void closeGaps(const std::vector<DataSets>& ofRanks)
+void CloseGaps(const std::vector<DataSets>& ofRanks)
 {
   constexpr double rounding = 1e-6;
   std::vector<vtkBoundingBox> boxes;
-  std::transform(ofRanks.begin(), ofRanks.end(), std::back_inserter(boxes), boxOf);
-  const double step = rounding * boxOf(together(ofRanks)).GetDiagonalLength();
+  std::transform(ofRanks.begin(), ofRanks.end(), std::back_inserter(boxes), BoxOf);
+  const double step = rounding * BoxOf(Together(ofRanks)).GetDiagonalLength();
   if (!(step > 0))
   {
     return;
@@ -177,7 +177,7 @@ void closeGaps(const std::vector<DataSets>& ofRanks)
 // Data travel as VTK's files, in which the numbers of a lattice are rounded to 6 digits and not turned: they travel beside it.
 constexpr const char* latticeName = "NephoscopeLattice";
 
-void storeLattice(vtkDataSet* set)
+void StoreLattice(vtkDataSet* set)
 {
   if (auto* image = vtkImageData::SafeDownCast(set))
   {
@@ -193,7 +193,7 @@ void storeLattice(vtkDataSet* set)
   }
 }
 
-void restoreLattice(vtkDataSet* set)
+void RestoreLattice(vtkDataSet* set)
 {
   auto* image = vtkImageData::SafeDownCast(set);
   auto* numbers =
@@ -206,7 +206,7 @@ void restoreLattice(vtkDataSet* set)
   }
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(const DataSets& sets)
+vtkSmartPointer<vtkMultiBlockDataSet> AsBlocks(const DataSets& sets)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   for (std::size_t i = 0; i < sets.size(); ++i)
@@ -216,7 +216,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> asBlocks(const DataSets& sets)
   return blocks;
 }
 
-void copyArray(vtkDataSetAttributes* from, vtkDataSetAttributes* to, const std::string& name)
+void CopyArray(vtkDataSetAttributes* from, vtkDataSetAttributes* to, const std::string& name)
 {
   vtkDataArray* array = name.empty() ? from->GetScalars() : from->GetArray(name.c_str());
   if (array && name.empty())
@@ -230,22 +230,22 @@ void copyArray(vtkDataSetAttributes* from, vtkDataSetAttributes* to, const std::
 }
 
 // With what the density is found from, and no other array.
-vtkSmartPointer<vtkDataSet> onlyWith(vtkDataSet* set, const std::string& name)
+vtkSmartPointer<vtkDataSet> OnlyWith(vtkDataSet* set, const std::string& name)
 {
   auto copy = vtk::TakeSmartPointer(set->NewInstance());
   copy->CopyStructure(set);
   for (const int kind : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     vtkDataSetAttributes* arrays = set->GetAttributes(kind);
-    copyArray(arrays, copy->GetAttributes(kind), name);
-    copyArray(arrays, copy->GetAttributes(kind), vtkDataSetAttributes::GhostArrayName());
-    copyArray(arrays, copy->GetAttributes(kind), divisionName);
+    CopyArray(arrays, copy->GetAttributes(kind), name);
+    CopyArray(arrays, copy->GetAttributes(kind), vtkDataSetAttributes::GhostArrayName());
+    CopyArray(arrays, copy->GetAttributes(kind), divisionName);
   }
-  storeLattice(copy);
+  StoreLattice(copy);
   return copy;
 }
 
-bool hasHiddenParts(vtkDataSet* set)
+bool HasHiddenParts(vtkDataSet* set)
 {
   const auto hides = [](vtkUnsignedCharArray* flags, int duplicate) {
     const unsigned char* begin = flags ? flags->GetPointer(0) : nullptr;
@@ -257,17 +257,17 @@ bool hasHiddenParts(vtkDataSet* set)
     hides(set->GetPointGhostArray(), vtkDataSetAttributes::DUPLICATEPOINT);
 }
 
-vtkDataArray* arrayOfPoints(vtkDataSet* set, const std::string& name)
+vtkDataArray* ArrayOfPoints(vtkDataSet* set, const std::string& name)
 {
   return name.empty() ? set->GetPointData()->GetScalars()
                       : set->GetPointData()->GetArray(name.c_str());
 }
 
 // Whether they are of one image: the same lattice, and an array of points with the same name.
-bool arePieces(vtkImageData* a, vtkImageData* b, const std::string& name)
+bool ArePieces(vtkImageData* a, vtkImageData* b, const std::string& name)
 {
-  const auto arrayOf = [&](vtkDataSet* set) { return arrayOfPoints(set, name); };
-  if (!a || !b || hasHiddenParts(a) || hasHiddenParts(b) || !arrayOf(a) || !arrayOf(b))
+  const auto arrayOf = [&](vtkDataSet* set) { return ArrayOfPoints(set, name); };
+  if (!a || !b || HasHiddenParts(a) || HasHiddenParts(b) || !arrayOf(a) || !arrayOf(b))
   {
     return false;
   }
@@ -280,7 +280,7 @@ bool arePieces(vtkImageData* a, vtkImageData* b, const std::string& name)
 }
 
 // Row by row.
-void copyPoints(vtkImageData* from, vtkDataArray* values, vtkImageData* to, vtkDataArray* all)
+void CopyPoints(vtkImageData* from, vtkDataArray* values, vtkImageData* to, vtkDataArray* all)
 {
   int e[6];
   from->GetExtent(e);
@@ -295,10 +295,10 @@ void copyPoints(vtkImageData* from, vtkDataArray* values, vtkImageData* to, vtkD
   }
 }
 
-vtkSmartPointer<vtkDataSet> joinedImage(const DataSets& pieces, const std::string& name)
+vtkSmartPointer<vtkDataSet> JoinedImage(const DataSets& pieces, const std::string& name)
 {
   auto* first = vtkImageData::SafeDownCast(pieces.front());
-  const auto arrayOf = [&](vtkDataSet* set) { return arrayOfPoints(set, name); };
+  const auto arrayOf = [&](vtkDataSet* set) { return ArrayOfPoints(set, name); };
   int extent[6];
   first->GetExtent(extent);
   for (vtkDataSet* piece : pieces)
@@ -322,7 +322,7 @@ vtkSmartPointer<vtkDataSet> joinedImage(const DataSets& pieces, const std::strin
   values->Fill(0.0); // where no rank has a piece
   for (vtkDataSet* piece : pieces)
   {
-    copyPoints(vtkImageData::SafeDownCast(piece), arrayOf(piece), image, values);
+    CopyPoints(vtkImageData::SafeDownCast(piece), arrayOf(piece), image, values);
   }
   name.empty() ? image->GetPointData()->SetScalars(values)
                : image->GetPointData()->AddArray(values);
@@ -330,7 +330,7 @@ vtkSmartPointer<vtkDataSet> joinedImage(const DataSets& pieces, const std::strin
 }
 } // namespace
 
-vtkSmartPointer<vtkMultiBlockDataSet> surfacesOfRanks(vtkDataObject* own)
+vtkSmartPointer<vtkMultiBlockDataSet> SurfacesOfRanks(vtkDataObject* own)
 {
   DataSets mine;
   for (vtkDataSet* set : own ? DataSetsOf(own) : std::vector<vtkDataSet*>())
@@ -344,27 +344,27 @@ vtkSmartPointer<vtkMultiBlockDataSet> surfacesOfRanks(vtkDataObject* own)
       mine.emplace_back(copy);
     }
   }
-  const std::vector<DataSets> ofRanks = ofEachRank(mine);
-  closeGaps(ofRanks);
-  return asBlocks(together(ofRanks));
+  const std::vector<DataSets> ofRanks = OfEachRank(mine);
+  CloseGaps(ofRanks);
+  return AsBlocks(Together(ofRanks));
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> densitiesOfRanks(vtkDataObject* own, const std::string& name)
+vtkSmartPointer<vtkMultiBlockDataSet> DensitiesOfRanks(vtkDataObject* own, const std::string& name)
 {
   DataSets mine;
   for (vtkDataSet* set : own ? DataSetsOf(own) : std::vector<vtkDataSet*>())
   {
     if (set->GetNumberOfPoints() > 0)
     {
-      mine.push_back(onlyWith(set, name));
+      mine.push_back(OnlyWith(set, name));
     }
   }
-  DataSets all = together(ofEachRank(mine));
-  std::for_each(all.begin(), all.end(), restoreLattice);
+  DataSets all = Together(OfEachRank(mine));
+  std::for_each(all.begin(), all.end(), RestoreLattice);
   auto* first = all.empty() ? nullptr : vtkImageData::SafeDownCast(all.front());
   const bool areOneImage = std::all_of(all.begin(), all.end(),
-    [&](vtkDataSet* piece) { return arePieces(first, vtkImageData::SafeDownCast(piece), name); });
-  return asBlocks(areOneImage && all.size() > 1 ? DataSets{ joinedImage(all, name) } : all);
+    [&](vtkDataSet* piece) { return ArePieces(first, vtkImageData::SafeDownCast(piece), name); });
+  return AsBlocks(areOneImage && all.size() > 1 ? DataSets{ JoinedImage(all, name) } : all);
 }
 
 vtkMultiBlockDataSet* RankUnion::Of(
@@ -373,7 +373,7 @@ vtkMultiBlockDataSet* RankUnion::Of(
   const vtkMTimeType time = NewestMTime(own);
   const bool isOther =
     !this->Whole || own != this->From || time != this->Time || name != this->Name;
-  if (maximumOfRanks(isOther ? 1 : 0) == 1)
+  if (MaximumOverRanks(isOther ? 1 : 0) == 1)
   {
     this->Whole = exchange(own, name);
     this->From = own;

@@ -17,13 +17,13 @@ namespace nephoscope
 {
 
 /** The surfaces of all ranks, without ghost cells, in the order of the ranks. Each rank gets those of every other one. Collective. */
-vtkSmartPointer<vtkMultiBlockDataSet> surfacesOfRanks(vtkDataObject* own);
+vtkSmartPointer<vtkMultiBlockDataSet> SurfacesOfRanks(vtkDataObject* own);
 
 /**
  * The grids of all ranks with one array, `name`, or the active scalars where it is empty. The pieces of an image are one image again, which is drawn voxel by voxel as
  * that of one rank is. Collective.
  */
-vtkSmartPointer<vtkMultiBlockDataSet> densitiesOfRanks(vtkDataObject* own, const std::string& name);
+vtkSmartPointer<vtkMultiBlockDataSet> DensitiesOfRanks(vtkDataObject* own, const std::string& name);
 
 /** Exchanges data again only where those of some rank, or the name, are others than before. */
 class RankUnion

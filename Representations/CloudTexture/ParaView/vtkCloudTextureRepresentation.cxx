@@ -142,7 +142,7 @@ vtkCloudTextureRepresentation::vtkCloudTextureRepresentation()
 {
   // The superclass sets what colours on its own mapper, which is never drawn: the cloud mapper takes one surface, not blocks.
   this->Actor->SetMapper(this->CloudMapper);
-  nephoscope::forwardMessages(this->CloudMapper, this);
+  nephoscope::ForwardMessages(this->CloudMapper, this);
   this->SuppressLOD = true;
   this->SetNumberOfInputPorts(2);
   this->Volume = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -253,7 +253,7 @@ void vtkCloudTextureRepresentation::CompleteInput(vtkInformationVector* inputs)
 {
   vtkDataObject* input =
     inputs->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs, 0) : nullptr;
-  const vtkSmartPointer<vtkDataObject> completed = nephoscope::withNeighborCells(input);
+  const vtkSmartPointer<vtkDataObject> completed = nephoscope::WithNeighborCells(input);
   this->CompletedInput = nullptr;
   if (completed != input)
   {
@@ -308,9 +308,9 @@ void vtkCloudTextureRepresentation::WarnOfNothing(vtkDataObject* input, vtkDataO
     }
   }
   auto* controller = vtkMultiProcessController::GetGlobalController();
-  vtkAlgorithm* producer = nephoscope::producerOfInput(this);
+  vtkAlgorithm* producer = nephoscope::ProducerOfInput(this);
   if (nothing != this->Nothing && !nothing.empty() &&
-    !nephoscope::hasFailed(producer, this->GetInputDataObject(0, 0)) &&
+    !nephoscope::HasFailed(producer, this->GetInputDataObject(0, 0)) &&
     (!controller || controller->GetLocalProcessId() == 0))
   {
     vtkWarningMacro(<< nothing);
@@ -324,7 +324,7 @@ void vtkCloudTextureRepresentation::WarnOfVolume(vtkDataObject* input)
   const bool hasTrees = input && HasTreesInSpace(input);
   const std::vector<vtkDataSet*> sets =
     input ? nephoscope::DataSetsOf(input) : std::vector<vtkDataSet*>();
-  const bool hasVolumes = hasTrees || std::any_of(sets.begin(), sets.end(), nephoscope::hasVolumes);
+  const bool hasVolumes = hasTrees || std::any_of(sets.begin(), sets.end(), nephoscope::HasVolumes);
   if (hasVolumes && !this->HasToldOfVolume)
   {
     const char* first = hasTrees
@@ -344,16 +344,16 @@ void vtkCloudTextureRepresentation::TakeDelivered(
   vtkDataObject* surface, vtkCompositeDataSet* volume)
 {
   const std::vector<vtkBoundingBox>* boxes =
-    NumberOfRanks() > 1 ? nephoscope::boxesOfRanks(this->GetView()) : nullptr;
+    NumberOfRanks() > 1 ? nephoscope::BoxesOfRanks(this->GetView()) : nullptr;
   if (boxes)
   {
     surface = this->Surfaces.Of(surface, "",
-      [](vtkDataObject* own, const std::string&) { return nephoscope::surfacesOfRanks(own); });
+      [](vtkDataObject* own, const std::string&) { return nephoscope::SurfacesOfRanks(own); });
   }
   if (boxes && this->CloudMapper->GetUseThickness())
   {
     vtkMultiBlockDataSet* whole = this->Densities.Of(
-      volume, this->CloudMapper->GetDensityArrayName(), nephoscope::densitiesOfRanks);
+      volume, this->CloudMapper->GetDensityArrayName(), nephoscope::DensitiesOfRanks);
     volume = IsEmpty(whole) ? volume : whole; // what is no grid has its message
   }
   this->CloudMapper->SetDensityVolume(IsEmpty(volume) ? nullptr : volume);
@@ -361,7 +361,7 @@ void vtkCloudTextureRepresentation::TakeDelivered(
   nephoscope::RankRegion region = allOfSpace;
   if (boxes)
   {
-    region = nephoscope::hasRegion(this->GetView()) ? nephoscope::regionOfRank(this->GetView())
+    region = nephoscope::HasRegion(this->GetView()) ? nephoscope::RegionOfRank(this->GetView())
                                                     : nephoscope::RankRegion{};
   }
   this->CloudMapper->SetRegion(region.data());

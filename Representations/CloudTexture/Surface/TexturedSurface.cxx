@@ -27,7 +27,7 @@ namespace nephoscope
 {
 namespace
 {
-bool isFinite(vtkDataArray* array)
+bool IsFinite(vtkDataArray* array)
 {
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
   {
@@ -42,7 +42,7 @@ bool isFinite(vtkDataArray* array)
   return true;
 }
 
-double fieldValue(vtkPolyData* data, const char* name, int component, double missing)
+double FieldValue(vtkPolyData* data, const char* name, int component, double missing)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
   return array && array->GetNumberOfTuples() > 0 &&
@@ -53,7 +53,7 @@ double fieldValue(vtkPolyData* data, const char* name, int component, double mis
 }
 
 /** "Origin" is what they are given from, in the unit of the result. */
-vtkSmartPointer<vtkFloatArray> positions(
+vtkSmartPointer<vtkFloatArray> Positions(
   vtkPolyData* data, double factor, const double origin[3], const char* name)
 {
   auto result = vtkSmartPointer<vtkFloatArray>::New();
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkFloatArray> positions(
   return result;
 }
 
-vtkSmartPointer<vtkFloatArray> coordinatesFromPositions(
+vtkSmartPointer<vtkFloatArray> CoordinatesFromPositions(
   vtkPolyData* data, const TextureChoice& choice, double scale, const char* name)
 {
   // The texture repeats itself after 10 units in all three: leaving them out keeps far places exact in float.
@@ -82,10 +82,10 @@ vtkSmartPointer<vtkFloatArray> coordinatesFromPositions(
   {
     x = period * std::round(factor * x / period);
   }
-  return positions(data, factor, origin, name);
+  return Positions(data, factor, origin, name);
 }
 
-vtkSmartPointer<vtkFloatArray> scaled(vtkDataArray* array, double scale, const char* name)
+vtkSmartPointer<vtkFloatArray> Scaled(vtkDataArray* array, double scale, const char* name)
 {
   auto result = vtkSmartPointer<vtkFloatArray>::New();
   result->SetName(name);
@@ -165,7 +165,7 @@ private:
 };
 
 /** Empty, or what is wrong with a point array of this name. */
-std::string checkArray(vtkPolyData* input, const std::string& name, int components, const char* use)
+std::string CheckArray(vtkPolyData* input, const std::string& name, int components, const char* use)
 {
   vtkDataArray* array = input->GetPointData()->GetArray(name.c_str());
   if (!array)
@@ -179,16 +179,16 @@ std::string checkArray(vtkPolyData* input, const std::string& name, int componen
 }
 
 /** A copy of a point array of one component as float, with values between 0 and "highest"; null, and an error, where there is none. */
-vtkSmartPointer<vtkFloatArray> addShares(TexturedSurface& result, vtkPolyData* input,
+vtkSmartPointer<vtkFloatArray> AddShares(TexturedSurface& result, vtkPolyData* input,
   const std::string& name, const char* use, const char* newName, float highest,
   const std::string& warning)
 {
-  result.Error = checkArray(input, name, 1, use);
+  result.Error = CheckArray(input, name, 1, use);
   if (!result.Error.empty())
   {
     return nullptr;
   }
-  auto values = scaled(input->GetPointData()->GetArray(name.c_str()), 1, newName);
+  auto values = Scaled(input->GetPointData()->GetArray(name.c_str()), 1, newName);
   bool areRight = true;
   bool anyCloud = false;
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
@@ -207,30 +207,30 @@ vtkSmartPointer<vtkFloatArray> addShares(TexturedSurface& result, vtkPolyData* i
   return values;
 }
 
-void addCover(TexturedSurface& result, vtkPolyData* input, const std::string& name)
+void AddCover(TexturedSurface& result, vtkPolyData* input, const std::string& name)
 {
   if (!name.empty())
   {
     result.HasCover =
-      addShares(result, input, name, "cover", coverArrayName, 1.0f,
+      AddShares(result, input, name, "cover", coverArrayName, 1.0f,
         "has values outside the range of a cover, 0 ... 1: they count as the nearest valid value, NaN as 0. Divide percent by 100. ") !=
       nullptr;
   }
 }
 
-void addDensity(TexturedSurface& result, vtkPolyData* input, const std::string& name)
+void AddDensity(TexturedSurface& result, vtkPolyData* input, const std::string& name)
 {
   if (!name.empty() && result.Error.empty())
   {
     result.HasDensity =
-      addShares(result, input, name, "density", densityArrayName, 1e30f,
+      AddShares(result, input, name, "density", densityArrayName, 1e30f,
         "has values that are not a density, >= 0 and finite: they count as 0 or as 1e30. Change them, or choose another array. ") !=
       nullptr;
   }
 }
 
 /** Adds the weights of points, where they are there: true, and they are used. */
-bool addWeights(TexturedSurface& result, vtkPolyData* input)
+bool AddWeights(TexturedSurface& result, vtkPolyData* input)
 {
   vtkDataArray* array = input->GetPointData()->GetArray("TextureWeights");
   if (!array)
@@ -242,7 +242,7 @@ bool addWeights(TexturedSurface& result, vtkPolyData* input)
     result.Warning += "The point array TextureWeights is not used: it needs 2 components. ";
     return false;
   }
-  auto weights = scaled(array, 1, weightsArrayName);
+  auto weights = Scaled(array, 1, weightsArrayName);
   bool areRight = true;
   for (vtkIdType i = 0; i < weights->GetNumberOfTuples(); ++i)
   {
@@ -261,7 +261,7 @@ bool addWeights(TexturedSurface& result, vtkPolyData* input)
 }
 
 /** Relative to the center: the volume is small against those that it is a difference of. */
-void measureChord(TexturedSurface& result, vtkPolyData* input)
+void FindMeanChord(TexturedSurface& result, vtkPolyData* input)
 {
   vtkDataArray* density =
     result.HasDensity ? result.Surface->GetPointData()->GetArray(densityArrayName) : nullptr;
@@ -300,7 +300,7 @@ void measureChord(TexturedSurface& result, vtkPolyData* input)
 }
 
 /** The third coordinate: 0 at the low end of the range that is given, or else that of the data, 1 at the high end. */
-void setAltitudes(vtkFloatArray* coordinates, const std::function<double(vtkIdType)>& altitude,
+void SetAltitudes(vtkFloatArray* coordinates, const std::function<double(vtkIdType)>& altitude,
   const double given[2], const double ofData[2])
 {
   const double* range = given[0] < given[1] ? given : ofData;
@@ -312,11 +312,11 @@ void setAltitudes(vtkFloatArray* coordinates, const std::function<double(vtkIdTy
 }
 
 /** Longitude and latitude in turns, or positions, and altitudes. */
-void addPlacesWithAltitude(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
+void AddPlacesWithAltitude(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
 {
   const SurfaceLength length = SurfaceLength::Of(input);
   vtkSmartPointer<vtkFloatArray> places =
-    coordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]);
+    CoordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]);
   const auto point = [input](vtkIdType i) {
     std::array<double, 3> p;
     input->GetPoint(i, p.data());
@@ -332,25 +332,25 @@ void addPlacesWithAltitude(TexturedSurface& result, vtkPolyData* input, const Te
   }
   const double ofData[2] = { result.WrapsAround ? length.SmallestRadius : length.Low[2],
     result.WrapsAround ? length.LargestRadius : length.High[2] };
-  setAltitudes(
+  SetAltitudes(
     places,
     [&](vtkIdType i) { return result.WrapsAround ? vtkMath::Norm(point(i).data()) : point(i)[2]; },
     choice.AltitudeRange, ofData);
   result.Surface->GetPointData()->AddArray(places);
 }
 
-void addPlaces(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
+void AddPlaces(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
 {
   if (choice.UseAltitude)
   {
-    addPlacesWithAltitude(result, input, choice);
+    AddPlacesWithAltitude(result, input, choice);
     return;
   }
   result.Surface->GetPointData()->AddArray(
-    coordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]));
+    CoordinatesFromPositions(input, choice, result.Scale, textureArrayNames[0]));
 }
 
-void cutWhereTextureWraps(TexturedSurface& result, vtkPolyData* input, int sets)
+void CutWhereTextureWraps(TexturedSurface& result, vtkPolyData* input, int sets)
 {
   if (input->GetNumberOfStrips() > 0)
   {
@@ -364,9 +364,9 @@ void cutWhereTextureWraps(TexturedSurface& result, vtkPolyData* input, int sets)
   }
 }
 
-void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
+void AddCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureChoice& choice)
 {
-  const bool isCartesian = fieldValue(input, "TextureFrame", 0, 0) != 0;
+  const bool isCartesian = FieldValue(input, "TextureFrame", 0, 0) != 0;
   int sets = 0;
   for (const std::string& name : choice.Coordinates)
   {
@@ -375,26 +375,26 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
     {
       continue;
     }
-    if (array->GetNumberOfComponents() != 3 || !isFinite(array))
+    if (array->GetNumberOfComponents() != 3 || !IsFinite(array))
     {
       result.Warning += "The texture coordinates \"" + name +
         "\" are not used: they need 3 components, all of them finite. ";
       continue;
     }
-    auto coordinates = scaled(array, result.Scale, textureArrayNames[sets]);
+    auto coordinates = Scaled(array, result.Scale, textureArrayNames[sets]);
     if (choice.UseAltitude)
     {
-      setAltitudes(
+      SetAltitudes(
         coordinates, [array](vtkIdType i) { return array->GetComponent(i, 2); },
         choice.AltitudeRange, array->GetRange(2));
     }
     result.Surface->GetPointData()->AddArray(coordinates);
     result.Weights[sets] =
-      fieldValue(input, "TextureWeights", name == choice.Coordinates[0] ? 0 : 1, 0.5);
+      FieldValue(input, "TextureWeights", name == choice.Coordinates[0] ? 0 : 1, 0.5);
     ++sets;
   }
   result.HasSecondSet = sets == 2;
-  result.HasWeights = sets == 2 && addWeights(result, input);
+  result.HasWeights = sets == 2 && AddWeights(result, input);
   const bool areWeights =
     result.Weights[0] >= 0 && result.Weights[1] >= 0 && result.Weights[0] + result.Weights[1] > 0;
   if (sets < 2 || !areWeights)
@@ -407,30 +407,30 @@ void addCoordinates(TexturedSurface& result, vtkPolyData* input, const TextureCh
   result.WrapsAround = sets > 0 && !isCartesian;
   if (sets == 0)
   {
-    addPlaces(result, input, choice);
+    AddPlaces(result, input, choice);
   }
   if (result.WrapsAround)
   {
-    cutWhereTextureWraps(result, input, std::max(sets, 1));
+    CutWhereTextureWraps(result, input, std::max(sets, 1));
   }
 }
 
 /** On longitudes the texture goes round: whole numbers of repetitions only. */
-double scaleOf(vtkPolyData* input, const TextureChoice& choice)
+double ScaleOf(vtkPolyData* input, const TextureChoice& choice)
 {
   const SurfaceLength length = SurfaceLength::Of(input);
   const auto isThere = [&](const std::string& name) {
     return input->GetPointData()->GetArray(name.c_str()) != nullptr;
   };
   const bool hasCoordinates = isThere(choice.Coordinates[0]) || isThere(choice.Coordinates[1]);
-  const bool hasLongitudes = hasCoordinates ? fieldValue(input, "TextureFrame", 0, 0) == 0
+  const bool hasLongitudes = hasCoordinates ? FieldValue(input, "TextureFrame", 0, 0) == 0
                                             : choice.UseAltitude && length.IsGlobe();
   const double scale = choice.Scale > 0 ? choice.Scale : length.Repetitions();
   return hasLongitudes ? std::max(1.0, std::round(scale)) : scale;
 }
 
 /** Empty where there are polygons, and of an empty piece, which is no mistake. */
-std::string describeMissingSurface(vtkPolyData* input)
+std::string DescribeMissingSurface(vtkPolyData* input)
 {
   if (input->GetNumberOfPolys() > 0 || input->GetNumberOfStrips() > 0 ||
     input->GetNumberOfPoints() == 0)
@@ -443,10 +443,10 @@ std::string describeMissingSurface(vtkPolyData* input)
 }
 }
 
-TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& choice)
+TexturedSurface PrepareTexturedSurface(vtkPolyData* input, const TextureChoice& choice)
 {
   TexturedSurface result;
-  result.Error = describeMissingSurface(input);
+  result.Error = DescribeMissingSurface(input);
   if (!result.Error.empty())
   {
     return result;
@@ -454,9 +454,9 @@ TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& 
   result.Surface = vtkSmartPointer<vtkPolyData>::New();
   result.Surface->DeepCopy(input); // points may be added
   input->GetCenter(result.Center);
-  result.Surface->GetPointData()->AddArray(positions(input, 1, result.Center, placeArrayName));
-  addCover(result, input, choice.Cover);
-  addDensity(result, input, choice.Density);
+  result.Surface->GetPointData()->AddArray(Positions(input, 1, result.Center, placeArrayName));
+  AddCover(result, input, choice.Cover);
+  AddDensity(result, input, choice.Density);
   if (!result.Error.empty())
   {
     result.Surface = nullptr;
@@ -469,11 +469,11 @@ TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& 
   }
   // By thickness only open surfaces have a cosine, and that of the triangles will do.
   result.Normals = normals && !choice.MeasureChord ? normals->GetName() : "";
-  result.Scale = scaleOf(input, choice);
-  addCoordinates(result, input, choice);
+  result.Scale = ScaleOf(input, choice);
+  AddCoordinates(result, input, choice);
   if (choice.MeasureChord)
   {
-    measureChord(result, input);
+    FindMeanChord(result, input);
   }
   return result;
 }

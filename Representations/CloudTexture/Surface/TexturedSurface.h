@@ -52,7 +52,7 @@ constexpr const char* densityArrayName = "NephoscopeDensity";
 constexpr const char* weightsArrayName = "NephoscopeWeights";
 constexpr const char* placeArrayName = "NephoscopePlace";
 
-TexturedSurface prepareTexturedSurface(vtkPolyData* input, const TextureChoice& choice);
+TexturedSurface PrepareTexturedSurface(vtkPolyData* input, const TextureChoice& choice);
 
 } // namespace nephoscope
 

@@ -17,14 +17,14 @@ namespace nephoscope
 {
 
 template <typename Real>
-Real dot(const Point3<Real>& a, const Point3<Real>& b)
+Real Dot(const Point3<Real>& a, const Point3<Real>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /** In radians per unit. */
 template <typename Real>
-Point3<Real> radians(const Point3<double>& turns)
+Point3<Real> Radians(const Point3<double>& turns)
 {
   return { { Real(2 * gardnerPi * turns[0]), Real(2 * gardnerPi * turns[1]),
     Real(2 * gardnerPi * turns[2]) } };
@@ -40,8 +40,8 @@ struct TextureFootprint
   /** Variance of the phase of a wave inside the footprint. */
   Real PhaseVariance(const Point3<Real>& wave) const
   {
-    const Real x = dot(wave, this->Across);
-    const Real y = dot(wave, this->Up);
+    const Real x = Dot(wave, this->Across);
+    const Real y = Dot(wave, this->Up);
     return x * x + y * y;
   }
 };
@@ -57,14 +57,14 @@ struct FilteredTexture
 
 /** Without a filter. */
 template <typename Real>
-Real gardnerTexture(const Point3<Real>& p, const GardnerWaves& waves = paperWaves())
+Real GardnerTexture(const Point3<Real>& p, const GardnerWaves& waves = PaperWaves())
 {
   Real sum = 0;
   for (const GardnerWave& wave : waves)
   {
-    const Real shift = Real(wave.Shift) * std::sin(dot(radians<Real>(wave.ShiftFrequency), p));
+    const Real shift = Real(wave.Shift) * std::sin(Dot(Radians<Real>(wave.ShiftFrequency), p));
     sum += Real(wave.Amplitude) *
-      std::cos(dot(radians<Real>(wave.Frequency), p) + Real(2 * gardnerPi * wave.Phase) + shift);
+      std::cos(Dot(Radians<Real>(wave.Frequency), p) + Real(2 * gardnerPi * wave.Phase) + shift);
   }
   return sum;
 }
@@ -74,17 +74,17 @@ Real gardnerTexture(const Point3<Real>& p, const GardnerWaves& waves = paperWave
  * mean differs from the exact one by some hundredths; its variance and that which is lost still add up to 1.
  */
 template <typename Real>
-FilteredTexture<Real> filteredGardnerTexture(const Point3<Real>& p,
-  const TextureFootprint<Real>& footprint, const GardnerWaves& waves = paperWaves())
+FilteredTexture<Real> FilteredGardnerTexture(const Point3<Real>& p,
+  const TextureFootprint<Real>& footprint, const GardnerWaves& waves = PaperWaves())
 {
   FilteredTexture<Real> result;
   for (const GardnerWave& wave : waves)
   {
-    Point3<Real> local = radians<Real>(wave.Frequency);
-    const Point3<Real> across = radians<Real>(wave.ShiftFrequency);
-    const Real chi = dot(across, p);
+    Point3<Real> local = Radians<Real>(wave.Frequency);
+    const Point3<Real> across = Radians<Real>(wave.ShiftFrequency);
+    const Real chi = Dot(across, p);
     const Real phase =
-      dot(local, p) + Real(2 * gardnerPi * wave.Phase) + Real(wave.Shift) * std::sin(chi);
+      Dot(local, p) + Real(2 * gardnerPi * wave.Phase) + Real(wave.Shift) * std::sin(chi);
     for (int c = 0; c < 3; ++c)
     {
       local[c] += Real(wave.Shift) * std::cos(chi) * across[c];
@@ -102,27 +102,27 @@ FilteredTexture<Real> filteredGardnerTexture(const Point3<Real>& p,
  * Exactly, for a Gaussian filter: cos(theta + s sin chi) is the sum over k of J_k(s) cos(theta + k chi), plane waves, each of which
  * the filter damps by exp(-(phase variance) / 2).
  */
-inline FilteredTexture<double> exactlyFilteredGardnerTexture(const Point3<double>& p,
-  const TextureFootprint<double>& footprint, const GardnerWaves& waves = paperWaves())
+inline FilteredTexture<double> ExactlyFilteredGardnerTexture(const Point3<double>& p,
+  const TextureFootprint<double>& footprint, const GardnerWaves& waves = PaperWaves())
 {
   constexpr int highest = 12;
   FilteredTexture<double> result;
   for (const GardnerWave& wave : waves)
   {
     const double amplitude = wave.Amplitude;
-    const Point3<double> across = radians<double>(wave.ShiftFrequency);
+    const Point3<double> across = Radians<double>(wave.ShiftFrequency);
     double keptVariance = 0;
     for (int k = -highest; k <= highest; ++k)
     {
-      Point3<double> partial = radians<double>(wave.Frequency);
+      Point3<double> partial = Radians<double>(wave.Frequency);
       for (int c = 0; c < 3; ++c)
       {
         partial[c] += k * across[c];
       }
-      const double bessel = besselJ(k, wave.Shift);
+      const double bessel = BesselJ(k, wave.Shift);
       const double damping = std::exp(-footprint.PhaseVariance(partial) / 2);
       result.Mean +=
-        amplitude * bessel * damping * std::cos(dot(partial, p) + 2 * gardnerPi * wave.Phase);
+        amplitude * bessel * damping * std::cos(Dot(partial, p) + 2 * gardnerPi * wave.Phase);
       keptVariance += bessel * bessel * damping * damping;
     }
     result.Lost += amplitude * amplitude / 2 * (1 - keptVariance);
@@ -136,7 +136,7 @@ inline FilteredTexture<double> exactlyFilteredGardnerTexture(const Point3<double
  * directions, so that the two are independent even where their coordinates agree, in calm air.
  */
 template <typename Real>
-Point3<Real> placeInSet(int set, const Point3<Real>& p)
+Point3<Real> PlaceInSet(int set, const Point3<Real>& p)
 {
   return set == 0 ? p : Point3<Real>{ { p[0] + Real(0.37), Real(0.61) - p[1], p[2] + Real(0.29) } };
 }
@@ -146,7 +146,7 @@ Point3<Real> placeInSet(int set, const Point3<Real>& p)
  * sum of squared weights. Weights >= 0, not both 0.
  */
 template <typename Real>
-FilteredTexture<Real> blendTextures(const FilteredTexture<Real>& first,
+FilteredTexture<Real> BlendTextures(const FilteredTexture<Real>& first,
   const FilteredTexture<Real>& second, Real firstWeight, Real secondWeight)
 {
   const Real norm = std::sqrt(firstWeight * firstWeight + secondWeight * secondWeight);
@@ -161,7 +161,7 @@ FilteredTexture<Real> blendTextures(const FilteredTexture<Real>& first,
 
 /** Cumulative normal distribution. */
 template <typename Real>
-Real normalShare(Real x)
+Real NormalShare(Real x)
 {
   return std::erfc(-x * Real(0.70710678118654752)) / 2;
 }
@@ -170,7 +170,7 @@ Real normalShare(Real x)
  * Cloudy fraction of a pixel, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
  * "softness" is the standard deviation of the soft edge, in units of the texture.
  */
-inline double cloudShare(const CoverageThresholds& thresholds,
+inline double CloudShare(const CoverageThresholds& thresholds,
   const FilteredTexture<double>& texture, double cover, double softness)
 {
   if (cover <= 0 || cover >= 1)
@@ -178,9 +178,9 @@ inline double cloudShare(const CoverageThresholds& thresholds,
     return cover <= 0 ? 0 : 1;
   }
   const double threshold =
-    thresholdOfCover(thresholds, cover, softness, texture.Fourth / gardnerFourth());
+    ThresholdOfCover(thresholds, cover, softness, texture.Fourth / GardnerFourth());
   const double width = std::sqrt(std::max(texture.Lost, 0.0) + softness * softness);
-  return width > 0 ? normalShare((texture.Mean - threshold) / width)
+  return width > 0 ? NormalShare((texture.Mean - threshold) / width)
                    : double(texture.Mean > threshold);
 }
 

@@ -20,7 +20,7 @@ INSTANTIATE_TEST_SUITE_P(CloudTextureShaders, Waves, testing::Range(0, 4));
 
 TEST_P(Waves, FilteredTexture)
 {
-  const GardnerWaves waves = presetWaves(GetParam());
+  const GardnerWaves waves = PresetWaves(GetParam());
   Random random(7);
   std::vector<Float4> places, footprints;
   for (int i = 0; i < 2000; ++i)
@@ -33,13 +33,13 @@ TEST_P(Waves, FilteredTexture)
         float(size * random.Uniform(-1, 1)), float(size * random.Uniform(-1, 1)) } });
   }
   ShaderRunner runner;
-  const auto results = runner.Run(gardnerConstants(waves) + readShader("GardnerTexture.glsl"),
+  const auto results = runner.Run(GardnerConstants(waves) + ReadShader("GardnerTexture.glsl"),
     "result = vec4(filteredTexture(first.xyz, vec3(second.xy, 0.0), vec3(0.0, second.zw)), 0.0);",
     places, footprints, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     const Float4 &p = places[i], &f = footprints[i];
-    const auto expected = filteredGardnerTexture<double>(
+    const auto expected = FilteredGardnerTexture<double>(
       { { p[0], p[1], p[2] } }, { { { f[0], f[1], 0 } }, { { 0, f[2], f[3] } } }, waves);
     // Phases of some 10^3 radians are good to 1e-4 in float; cosines to 7e-5.
     EXPECT_NEAR(results[i][0], expected.Mean, 1.5e-3) << i;
@@ -61,7 +61,7 @@ TEST(CloudTextureShaders, ShareAndExcess)
   }
   ShaderRunner runner;
   const auto results = runner.Run(
-    gardnerConstants(cloudWaves()) + readShader("GardnerTexture.glsl"),
+    GardnerConstants(CloudWaves()) + ReadShader("GardnerTexture.glsl"),
     "result = vec4(cloudShare(first.x, first.y), cloudExcess(first.x, first.y, first.z), 0.0, 0.0);",
     list, {}, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
@@ -90,12 +90,12 @@ TEST(CloudTextureShaders, Blend)
   const std::vector<Float4> weights{ { { 1, 0, 0, 0 } }, { { 0, 2, 0, 0 } },
     { { 0.3f, 0.7f, 0, 0 } } };
   const auto results =
-    runner.Run(gardnerConstants(cloudWaves()) + readShader("GardnerTexture.glsl"),
+    runner.Run(GardnerConstants(CloudWaves()) + ReadShader("GardnerTexture.glsl"),
       "result = vec4(blendTextures(vec3(0.4, 0.1, 0.2), vec3(-1.1, 0.5, 0.05), first.xy), 0.0);",
       weights, {}, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)
   {
-    const auto expected = blendTextures(FilteredTexture<double>{ 0.4, 0.1, 0.2 },
+    const auto expected = BlendTextures(FilteredTexture<double>{ 0.4, 0.1, 0.2 },
       FilteredTexture<double>{ -1.1, 0.5, 0.05 }, double(weights[i][0]), double(weights[i][1]));
     EXPECT_NEAR(results[i][0], expected.Mean, 1e-6);
     EXPECT_NEAR(results[i][1], expected.Lost, 1e-6);
@@ -114,7 +114,7 @@ TEST(CloudTextureShaders, MeanDensity)
       float(random.Uniform(0.1, 1)), 0 } });
   }
   ShaderRunner runner;
-  std::string functions = readShader("CloudThickness.glsl");
+  std::string functions = ReadShader("CloudThickness.glsl");
   const std::string tag = "//NEPHOSCOPE::Layers";
   functions.replace(functions.find(tag), tag.size(),
     "void considerLayers(ivec2 pixel) {}\n"

@@ -15,13 +15,13 @@ namespace
 {
 using Point = Point3<double>;
 
-Point randomPoint(Random& random)
+Point RandomPoint(Random& random)
 {
   return { { random.Uniform(), random.Uniform(0, 2), random.Uniform(0, 10) } };
 }
 
 /** Where a Gaussian pixel filter looks. */
-Point inFootprint(Random& random, const Point& p, const TextureFootprint<double>& footprint)
+Point InFootprint(Random& random, const Point& p, const TextureFootprint<double>& footprint)
 {
   const double x = random.Normal();
   const double y = random.Normal();
@@ -33,11 +33,11 @@ Point inFootprint(Random& random, const Point& p, const TextureFootprint<double>
   return q;
 }
 
-FilteredTexture<double> filteredBlend(
+FilteredTexture<double> FilteredBlend(
   const Point& p1, const Point& p2, const TextureFootprint<double>& footprint, double weight)
 {
-  return blendTextures(filteredGardnerTexture(placeInSet(0, p1), footprint),
-    filteredGardnerTexture(placeInSet(1, p2), footprint), weight, 1 - weight);
+  return BlendTextures(FilteredGardnerTexture(PlaceInSet(0, p1), footprint),
+    FilteredGardnerTexture(PlaceInSet(1, p2), footprint), weight, 1 - weight);
 }
 
 const CoverageThresholds thresholds;
@@ -45,9 +45,9 @@ const CoverageThresholds thresholds;
 
 TEST(GardnerTexture, HasTheGivenValues)
 {
-  EXPECT_NEAR(gardnerTexture<double>({ { 0, 0, 0 } }), 3.0997853734, 1e-5);
-  EXPECT_NEAR(gardnerTexture<double>({ { 0.25, 0.5, 0.5 } }), 0.3726117598, 1e-5);
-  EXPECT_NEAR(gardnerTexture<double>({ { 0.1, 0.2, 0.3 } }), 2.3731414354, 1e-5);
+  EXPECT_NEAR(GardnerTexture<double>({ { 0, 0, 0 } }), 3.0997853734, 1e-5);
+  EXPECT_NEAR(GardnerTexture<double>({ { 0.25, 0.5, 0.5 } }), 0.3726117598, 1e-5);
+  EXPECT_NEAR(GardnerTexture<double>({ { 0.1, 0.2, 0.3 } }), 2.3731414354, 1e-5);
 }
 
 TEST(GardnerTexture, RepeatsItselfAndHasUnitVariance)
@@ -57,12 +57,12 @@ TEST(GardnerTexture, RepeatsItselfAndHasUnitVariance)
   const int samples = 400000;
   for (int i = 0; i < samples; ++i)
   {
-    const Point p = randomPoint(random);
-    const double f = gardnerTexture(p);
+    const Point p = RandomPoint(random);
+    const double f = GardnerTexture(p);
     if (i < 1000)
     {
-      EXPECT_NEAR(gardnerTexture<double>({ { p[0] + 1, p[1], p[2] } }), f, 1e-11);
-      EXPECT_NEAR(gardnerTexture<double>({ { p[0] - 7, p[1] + 2, p[2] } }), f, 1e-10);
+      EXPECT_NEAR(GardnerTexture<double>({ { p[0] + 1, p[1], p[2] } }), f, 1e-11);
+      EXPECT_NEAR(GardnerTexture<double>({ { p[0] - 7, p[1] + 2, p[2] } }), f, 1e-10);
     }
     mean += f / samples;
     square += f * f / samples;
@@ -80,13 +80,13 @@ TEST(GardnerTexture, ExactFilterIsTheMeanOverTheFootprint)
       { { -0.1 * size, 0.5 * size, size } } };
     for (int place = 0; place < 4; ++place)
     {
-      const Point p = randomPoint(random);
-      const auto filtered = exactlyFilteredGardnerTexture(p, footprint);
+      const Point p = RandomPoint(random);
+      const auto filtered = ExactlyFilteredGardnerTexture(p, footprint);
       double mean = 0;
       const int samples = 60000;
       for (int i = 0; i < samples; ++i)
       {
-        mean += gardnerTexture(inFootprint(random, p, footprint)) / samples;
+        mean += GardnerTexture(InFootprint(random, p, footprint)) / samples;
       }
       EXPECT_NEAR(filtered.Mean, mean, 0.02) << size;
     }
@@ -96,15 +96,15 @@ TEST(GardnerTexture, ExactFilterIsTheMeanOverTheFootprint)
 TEST(GardnerTexture, WithoutFootprintNothingIsLost)
 {
   Random random(3);
-  const Point p = randomPoint(random);
-  const auto exact = exactlyFilteredGardnerTexture(p, {});
-  EXPECT_NEAR(exact.Mean, gardnerTexture(p), 1e-8); // Bessel terms up to 12
+  const Point p = RandomPoint(random);
+  const auto exact = ExactlyFilteredGardnerTexture(p, {});
+  EXPECT_NEAR(exact.Mean, GardnerTexture(p), 1e-8); // Bessel terms up to 12
   EXPECT_NEAR(exact.Lost, 0, 1e-12);
-  EXPECT_NEAR(exact.Fourth, gardnerFourth(), 1e-12);
-  const auto quick = filteredGardnerTexture<double>(p, {});
-  EXPECT_NEAR(quick.Mean, gardnerTexture(p), 1e-12);
+  EXPECT_NEAR(exact.Fourth, GardnerFourth(), 1e-12);
+  const auto quick = FilteredGardnerTexture<double>(p, {});
+  EXPECT_NEAR(quick.Mean, GardnerTexture(p), 1e-12);
   EXPECT_NEAR(quick.Lost, 0, 1e-12);
-  EXPECT_NEAR(quick.Fourth, gardnerFourth(), 1e-12);
+  EXPECT_NEAR(quick.Fourth, GardnerFourth(), 1e-12);
 }
 
 TEST(GardnerTexture, QuickFilterIsNearTheExactOne)
@@ -118,10 +118,10 @@ TEST(GardnerTexture, QuickFilterIsNearTheExactOne)
     const int samples = 2000;
     for (int i = 0; i < samples; ++i)
     {
-      const Point p = randomPoint(random);
+      const Point p = RandomPoint(random);
       const TextureFootprint<double> footprint{ { { sizes[k], 0, 0 } }, { { 0, sizes[k], 0 } } };
-      const double difference = filteredGardnerTexture(p, footprint).Mean -
-        exactlyFilteredGardnerTexture(p, footprint).Mean;
+      const double difference = FilteredGardnerTexture(p, footprint).Mean -
+        ExactlyFilteredGardnerTexture(p, footprint).Mean;
       square += difference * difference / samples;
     }
     EXPECT_LT(std::sqrt(square), allowed[k]) << sizes[k];
@@ -146,7 +146,7 @@ TEST(CoverageThreshold, UncorrectedBlendsHaveLessCover)
   int above = 0, corrected = 0;
   for (int i = 0; i < samples; ++i)
   {
-    const auto blend = filteredBlend(randomPoint(random), randomPoint(random), {}, 0.5);
+    const auto blend = FilteredBlend(RandomPoint(random), RandomPoint(random), {}, 0.5);
     above += blend.Mean * std::sqrt(0.5) > 1.0895;
     corrected += blend.Mean > 1.0895;
   }
@@ -172,9 +172,9 @@ TEST(CoverageThreshold, CoverStaysWithWeightsDistanceAndSoftness)
         double sum = 0;
         for (int i = 0; i < samples; ++i)
         {
-          const Point p1 = randomPoint(random);
-          const Point p2 = calm ? p1 : randomPoint(random);
-          sum += cloudShare(thresholds, filteredBlend(p1, p2, footprint, weight), cover, softness) /
+          const Point p1 = RandomPoint(random);
+          const Point p2 = calm ? p1 : RandomPoint(random);
+          sum += CloudShare(thresholds, FilteredBlend(p1, p2, footprint, weight), cover, softness) /
             samples;
         }
         worst = std::max(worst, std::abs(sum - cover));
@@ -194,7 +194,7 @@ INSTANTIATE_TEST_SUITE_P(GardnerWaves, Presets, testing::Range(0, 4));
 
 TEST_P(Presets, HaveTheirDistribution)
 {
-  const GardnerWaves waves = presetWaves(GetParam());
+  const GardnerWaves waves = PresetWaves(GetParam());
   const CoverageThresholds table(waves);
   Random random(8);
   const int samples = 200000;
@@ -205,7 +205,7 @@ TEST_P(Presets, HaveTheirDistribution)
     for (int i = 0; i < samples; ++i)
     {
       const Point p{ { random.Uniform(0, 10), random.Uniform(0, 100), random.Uniform(0, 10) } };
-      const double f = gardnerTexture(p, waves);
+      const double f = GardnerTexture(p, waves);
       square += f * f / samples;
       for (int k = 0; k < 4; ++k)
       {
@@ -215,34 +215,34 @@ TEST_P(Presets, HaveTheirDistribution)
     EXPECT_NEAR(square, 1, 0.01);
     for (int k = 0; k < 4; ++k)
     {
-      const double cover = coverOfThreshold(waves, levels[k], softness);
+      const double cover = CoverOfThreshold(waves, levels[k], softness);
       EXPECT_NEAR(cover, above[k], 0.006) << levels[k];
-      EXPECT_NEAR(thresholdOfCover(table, cover, softness), levels[k], 0.01);
+      EXPECT_NEAR(ThresholdOfCover(table, cover, softness), levels[k], 0.01);
     }
   }
 }
 
 TEST_P(Presets, AreFilteredAndGoRound)
 {
-  GardnerWaves waves = presetWaves(GetParam());
+  GardnerWaves waves = PresetWaves(GetParam());
   Random random(9);
   const TextureFootprint<double> footprint{ { { 0.01, 0.002, 0 } }, { { -0.001, 0.005, 0.01 } } };
-  const Point p = randomPoint(random);
+  const Point p = RandomPoint(random);
   double mean = 0;
   const int samples = 60000;
   for (int i = 0; i < samples; ++i)
   {
-    mean += gardnerTexture(inFootprint(random, p, footprint), waves) / samples;
+    mean += GardnerTexture(InFootprint(random, p, footprint), waves) / samples;
   }
-  EXPECT_NEAR(exactlyFilteredGardnerTexture(p, footprint, waves).Mean, mean, 0.02);
-  closeOnLongitudes(waves);
+  EXPECT_NEAR(ExactlyFilteredGardnerTexture(p, footprint, waves).Mean, mean, 0.02);
+  CloseOnLongitudes(waves);
   EXPECT_NEAR(
-    gardnerTexture<double>({ { p[0] + 3, p[1], p[2] } }, waves), gardnerTexture(p, waves), 1e-10);
+    GardnerTexture<double>({ { p[0] + 3, p[1], p[2] } }, waves), GardnerTexture(p, waves), 1e-10);
 }
 
 TEST(GardnerWaves, PrintedPhaseIsThatOfTheFormula)
 {
-  const GardnerWaves waves = printedWaves();
+  const GardnerWaves waves = PrintedWaves();
   const Point p{ { 0.3, 0.7, 0.2 } };
   double sum = 0;
   for (const GardnerWave& wave : waves)
@@ -253,24 +253,24 @@ TEST(GardnerWaves, PrintedPhaseIsThatOfTheFormula)
     const double q = 2 * std::sin(0.5 * b * p[0] - 0.5 * wave.Amplitude * p[1]);
     sum += wave.Amplitude * std::cos(b * p[0] + c * p[1] + d * p[2] + q);
   }
-  EXPECT_NEAR(gardnerTexture(p, waves), sum, 1e-12);
+  EXPECT_NEAR(GardnerTexture(p, waves), sum, 1e-12);
 }
 
 TEST(GardnerWaves, UnusableOnesAreDescribed)
 {
-  EXPECT_EQ(describeUnusable(cloudWaves()), "");
-  EXPECT_NE(describeUnusable({}).find("at least one amplitude"), std::string::npos);
+  EXPECT_EQ(DescribeUnusable(CloudWaves()), "");
+  EXPECT_NE(DescribeUnusable({}).find("at least one amplitude"), std::string::npos);
   GardnerWaves waves(2);
-  EXPECT_NE(describeUnusable(waves).find("at least one amplitude"), std::string::npos);
+  EXPECT_NE(DescribeUnusable(waves).find("at least one amplitude"), std::string::npos);
   waves[1].Amplitude = 1;
-  EXPECT_NE(describeUnusable(waves).find("Custom wave 1 has no frequency"), std::string::npos);
+  EXPECT_NE(DescribeUnusable(waves).find("Custom wave 1 has no frequency"), std::string::npos);
   waves[1].Frequency[2] = std::nan("");
-  EXPECT_NE(describeUnusable(waves).find("not finite"), std::string::npos);
+  EXPECT_NE(DescribeUnusable(waves).find("not finite"), std::string::npos);
 }
 
 TEST(CoverageThreshold, NothingAndEverything)
 {
-  const auto texture = filteredGardnerTexture<double>({ { 0, 0, 0 } }, {});
-  EXPECT_EQ(cloudShare(thresholds, texture, 0, 0.1), 0);
-  EXPECT_EQ(cloudShare(thresholds, texture, 1, 0.1), 1);
+  const auto texture = FilteredGardnerTexture<double>({ { 0, 0, 0 } }, {});
+  EXPECT_EQ(CloudShare(thresholds, texture, 0, 0.1), 0);
+  EXPECT_EQ(CloudShare(thresholds, texture, 1, 0.1), 1);
 }

@@ -24,7 +24,7 @@ struct Triangle
 };
 
 /** A box, its faces outwards, two triangles each. */
-std::vector<Triangle> box(const Point& low, const Point& size)
+std::vector<Triangle> MakeBox(const Point& low, const Point& size)
 {
   constexpr int faces[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 },
     { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
@@ -41,7 +41,7 @@ std::vector<Triangle> box(const Point& low, const Point& size)
   return result;
 }
 
-MeanChord measure(const std::vector<Triangle>& triangles, bool reverse = false)
+MeanChord Measure(const std::vector<Triangle>& triangles, bool reverse = false)
 {
   MeanChord result;
   for (const Triangle& t : triangles)
@@ -58,7 +58,7 @@ TEST(MeanChord, IsFourVolumesOverTheArea)
   const double expected = 4.0 * 6 / 22;
   for (const bool reverse : { false, true })
   {
-    const MeanChord chord = measure(box({ { 5, -7, 0.3 } }, size), reverse);
+    const MeanChord chord = Measure(MakeBox({ { 5, -7, 0.3 } }, size), reverse);
     EXPECT_TRUE(chord.IsClosed());
     EXPECT_EQ(chord.IsInsideOut(), reverse);
     EXPECT_NEAR(chord.Length(), expected, 1e-12);
@@ -94,13 +94,13 @@ TEST(MeanChord, IsThatOfRays)
     }
   }
   EXPECT_NEAR(
-    sum / weights, measure(box({ { -0.5, -1, -0.3 } }, { { 1, 2, 0.6 } })).Length(), 0.005);
+    sum / weights, Measure(MakeBox({ { -0.5, -1, -0.3 } }, { { 1, 2, 0.6 } })).Length(), 0.005);
 }
 
 TEST(MeanChord, SeveralBodiesAndWeights)
 {
-  auto bodies = box({ { 0, 0, 0 } }, { { 1, 1, 1 } });
-  const auto other = box({ { 4, 0, 0 } }, { { 2, 2, 2 } });
+  auto bodies = MakeBox({ { 0, 0, 0 } }, { { 1, 1, 1 } });
+  const auto other = MakeBox({ { 4, 0, 0 } }, { { 2, 2, 2 } });
   MeanChord chord;
   for (const Triangle& t : bodies)
   {
@@ -116,12 +116,12 @@ TEST(MeanChord, SeveralBodiesAndWeights)
 
 TEST(MeanChord, OpenSurfacesHaveNone)
 {
-  auto triangles = box({ { -1, -1, -1 } }, { { 2, 2, 2 } });
+  auto triangles = MakeBox({ { -1, -1, -1 } }, { { 2, 2, 2 } });
   triangles.erase(triangles.begin(), triangles.begin() + 2); // the floor
-  EXPECT_FALSE(measure(triangles).IsClosed());
-  EXPECT_EQ(measure(triangles).Length(), 0);
+  EXPECT_FALSE(Measure(triangles).IsClosed());
+  EXPECT_EQ(Measure(triangles).Length(), 0);
   triangles.erase(triangles.begin(), triangles.begin() + 2); // and the ceiling: normals cancel out
-  EXPECT_FALSE(measure(triangles).IsClosed());
+  EXPECT_FALSE(Measure(triangles).IsClosed());
   EXPECT_FALSE(MeanChord().IsClosed());
   EXPECT_EQ(MeanChord().MeanWeight(), 1);
 }

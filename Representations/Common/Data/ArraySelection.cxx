@@ -17,20 +17,21 @@ namespace nephoscope
 {
 namespace
 {
-std::string remedy(vtkDataSet* input)
+std::string Remedy(vtkDataSet* input)
 {
   return " Choose an array with SelectScalarArray and SetScalarMode; point arrays: " +
-    arrayNames(input->GetPointData()) + "; cell arrays: " + arrayNames(input->GetCellData()) + ".";
+    NamesOfArrays(input->GetPointData()) + "; cell arrays: " + NamesOfArrays(input->GetCellData()) +
+    ".";
 }
 
-std::string missingArray(const char* association, const char* name, vtkDataSet* input)
+std::string MissingArray(const char* association, const char* name, vtkDataSet* input)
 {
   return std::string("No ") + association + " array named '" + (name ? name : "") + "'." +
-    remedy(input);
+    Remedy(input);
 }
 }
 
-std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
+std::string CheckLength(vtkDataSet* input, const ScalarSelection& scalars)
 {
   const vtkIdType expected =
     scalars.OnCells ? input->GetNumberOfCells() : input->GetNumberOfPoints();
@@ -45,7 +46,7 @@ std::string checkLength(vtkDataSet* input, const ScalarSelection& scalars)
     (scalars.OnCells ? " cells." : " points.");
 }
 
-std::string selectScalars(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
+std::string SelectScalars(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
   vtkVolumeProperty* property, ScalarSelection& scalars)
 {
   const int mode = mapper->GetScalarMode();
@@ -62,13 +63,13 @@ std::string selectScalars(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
     const bool cells = mode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
     const bool named = mapper->GetArrayAccessMode() == VTK_GET_ARRAY_BY_NAME &&
       (cells || mode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
-    return named ? missingArray(cells ? "cell" : "point", mapper->GetArrayName(), input)
-                 : "The input has no active scalars." + remedy(input);
+    return named ? MissingArray(cells ? "cell" : "point", mapper->GetArrayName(), input)
+                 : "The input has no active scalars." + Remedy(input);
   }
-  return cellFlag > 1 ? "Field data cannot be drawn." + remedy(input) : checkLength(input, scalars);
+  return cellFlag > 1 ? "Field data cannot be drawn." + Remedy(input) : CheckLength(input, scalars);
 }
 
-std::string selectOpacity(const std::string& name, vtkDataSet* input,
+std::string SelectOpacity(const std::string& name, vtkDataSet* input,
   const ScalarSelection& scalars, ScalarSelection& opacity)
 {
   if (name.empty())
@@ -84,29 +85,29 @@ std::string selectOpacity(const std::string& name, vtkDataSet* input,
     opacity.OnCells = onCells;
     if (opacity.Array)
     {
-      return checkLength(input, opacity);
+      return CheckLength(input, opacity);
     }
     isText = isText || data[onCells]->GetAbstractArray(name.c_str());
   }
   return (isText ? "The opacity array '" + name + "' holds text, no numbers."
                  : "No point or cell array named '" + name + "' for the opacity.") +
-    " Choose another OpacityArrayName; point arrays: " + arrayNames(input->GetPointData()) +
-    "; cell arrays: " + arrayNames(input->GetCellData()) + ".";
+    " Choose another OpacityArrayName; point arrays: " + NamesOfArrays(input->GetPointData()) +
+    "; cell arrays: " + NamesOfArrays(input->GetCellData()) + ".";
 }
 
-ScalarSelection selectOpaque(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
+ScalarSelection SelectOpaque(vtkAbstractVolumeMapper* mapper, vtkDataSet* input,
   vtkVolumeProperty* property, const std::string& name, ScalarSelection& scalars)
 {
   ScalarSelection opacity;
-  if (!input || !property || !selectScalars(mapper, input, property, scalars).empty() ||
-    !selectOpacity(name, input, scalars, opacity).empty())
+  if (!input || !property || !SelectScalars(mapper, input, property, scalars).empty() ||
+    !SelectOpacity(name, input, scalars, opacity).empty())
   {
     return {};
   }
   return opacity.Array ? opacity : scalars;
 }
 
-std::string checkIsDataSet(vtkDataObject* input)
+std::string CheckIsDataSet(vtkDataObject* input)
 {
   if (!input || input->IsA("vtkDataSet"))
   {
@@ -120,7 +121,7 @@ std::string checkIsDataSet(vtkDataObject* input)
   return "The input is a " + kind + "; one dataset is needed. " + remedy;
 }
 
-std::string checkUnitDistance(vtkVolumeProperty* property)
+std::string CheckUnitDistance(vtkVolumeProperty* property)
 {
   return property->GetScalarOpacityUnitDistance() > 0
     ? std::string()
@@ -128,7 +129,7 @@ std::string checkUnitDistance(vtkVolumeProperty* property)
       "gives an optical depth of 1.";
 }
 
-std::string checkLengths(vtkDataSet* input, double largest)
+std::string CheckLengths(vtkDataSet* input, double largest)
 {
   const double length = input->GetLength();
   if (!(length > largest) || !std::isfinite(length))

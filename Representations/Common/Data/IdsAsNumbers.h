@@ -12,15 +12,15 @@
 namespace nephoscope
 {
 
-inline void dropRolesOfIds(vtkDataSetAttributes* attributes)
+inline void DropRolesOfIds(vtkDataSetAttributes* attributes)
 {
   attributes->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   attributes->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
 }
 
-inline void makeIdsNumbers(vtkDataSetAttributes* attributes)
+inline void MakeIdsNumbers(vtkDataSetAttributes* attributes)
 {
-  dropRolesOfIds(attributes);
+  DropRolesOfIds(attributes);
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* ids = attributes->GetArray(i);

@@ -16,7 +16,7 @@ namespace
 constexpr double pi = 3.14159265358979323846;
 
 // The share of the corners of the bounds that the medium fills.
-double filledCorners(const std::array<double, 8>& reach)
+double FilledCorners(const std::array<double, 8>& reach)
 {
   const double round = std::sqrt(3.0);
   double sum = 0.0;
@@ -28,7 +28,7 @@ double filledCorners(const std::array<double, 8>& reach)
 }
 } // namespace
 
-void addPlace(MediumBounds& bounds, const double place[3])
+void ExtendBounds(MediumBounds& bounds, const double place[3])
 {
   if (!std::isfinite(place[0] + place[1] + place[2]))
   {
@@ -92,7 +92,7 @@ void MediumMeasures::Scale(double factor)
   }
 }
 
-double scalarOf(vtkDataArray* scalars, vtkIdType tuple)
+double ScalarOf(vtkDataArray* scalars, vtkIdType tuple)
 {
   const int components = scalars->GetNumberOfComponents();
   if (components == 1)
@@ -107,23 +107,23 @@ double scalarOf(vtkDataArray* scalars, vtkIdType tuple)
   return std::sqrt(sum);
 }
 
-double meanChord(const MediumMeasures& measures, const MediumBounds& b)
+double MeanChordOf(const MediumMeasures& measures, const MediumBounds& b)
 {
   const double size[3] = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
   const double faces = size[0] * size[1] + size[1] * size[2] + size[2] * size[0];
-  const double filled = filledCorners(measures.Reach);
+  const double filled = FilledCorners(measures.Reach);
   const double silhouette = (filled + (1.0 - filled) * pi / 6.0) * 0.5 * faces;
   return measures.Volume > 0.0 && silhouette > 0.0 ? measures.Volume / silhouette : 0.0;
 }
 
-double meanSamples(const MediumMeasures& measures, const MediumBounds& common)
+double MeanSamples(const MediumMeasures& measures, const MediumBounds& common)
 {
   return measures.Volume > 0.0
-    ? meanChord(measures, common) * measures.Silhouettes / measures.Volume
+    ? MeanChordOf(measures, common) * measures.Silhouettes / measures.Volume
     : 0.0;
 }
 
-double meanRamp(const MediumMeasures& measures)
+double MeanRamp(const MediumMeasures& measures)
 {
   const double low = measures.ScalarRange[0];
   const double high = measures.ScalarRange[1];
@@ -135,14 +135,14 @@ double meanRamp(const MediumMeasures& measures)
   return std::min(std::max(integral / measures.Volume / (high - low), 0.0), 1.0);
 }
 
-void findFiniteRange(vtkDataArray* array, double range[2])
+void FindFiniteRange(vtkDataArray* array, double range[2])
 {
   const auto values = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
   values->ShallowCopy(array); // without what is known of it
   values->GetFiniteRange(range, values->GetNumberOfComponents() > 1 ? -1 : 0);
 }
 
-std::function<double(double)> fullOpacity(vtkPiecewiseFunction* function)
+std::function<double(double)> FullOpacity(vtkPiecewiseFunction* function)
 {
   double greatest = 0.0;
   for (int i = 0; function && i < function->GetSize(); ++i)
@@ -158,16 +158,16 @@ std::function<double(double)> fullOpacity(vtkPiecewiseFunction* function)
   return [function, greatest](double scalar) { return function->GetValue(scalar) / greatest; };
 }
 
-double defaultUnitDistance(const MediumMeasures& measures, const MediumBounds& common, bool ramp)
+double DefaultUnitDistance(const MediumMeasures& measures, const MediumBounds& common, bool ramp)
 {
   if (!(measures.Volume > 0.0))
   {
     return 0.0;
   }
-  const double opacity = ramp ? meanRamp(measures) : measures.OpacityIntegral / measures.Volume;
+  const double opacity = ramp ? MeanRamp(measures) : measures.OpacityIntegral / measures.Volume;
   const double localization = ramp ? measures.Projections.Localization(measures.ScalarRange)
                                    : measures.Projections.Localization();
-  const double distance = meanChord(measures, common) * opacity / meanOpticalDepth *
+  const double distance = MeanChordOf(measures, common) * opacity / meanOpticalDepth *
     std::max(localization / localOpticalDepth, 1.0);
   return std::isfinite(distance) ? distance : 0.0;
 }

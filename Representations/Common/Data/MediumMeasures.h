@@ -56,7 +56,7 @@ struct VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumMeasures
 };
 
 /** The box with a place in it; places that are not finite do not count. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void addPlace(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void ExtendBounds(
   MediumBounds& bounds, const double place[3]);
 
 /** Which of the samples are measured, where there are many: about 1e5, or `most`, evenly spread, but not at the same place of every row of a grid. */
@@ -84,22 +84,22 @@ private:
 };
 
 /** A value of an array of scalars; the magnitude of a vector. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double scalarOf(vtkDataArray* scalars, vtkIdType tuple);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double ScalarOf(vtkDataArray* scalars, vtkIdType tuple);
 
 /**
  * Mean length of a ray inside the medium: its volume divided by its mean silhouette, `common` being the bounds that Reach refers to. The mean
  * silhouette of a convex body is a quarter of its surface (Cauchy). It is that of the box of the bounds where the medium reaches into its corners,
  * that of the ellipsoid inside, taken as pi/6 of the box's, where it does not, and in between in proportion. 0 without a volume.
  */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanChord(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double MeanChordOf(
   const MediumMeasures& measures, const MediumBounds& common);
 
 /** How many samples a ray through the medium meets on average. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanSamples(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double MeanSamples(
   const MediumMeasures& measures, const MediumBounds& common);
 
 /** Mean over the volume of a ramp from 0 to 1 over the scalar's range; 0.5 when the scalar is constant or missing. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double meanRamp(const MediumMeasures& measures);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double MeanRamp(const MediumMeasures& measures);
 
 /** Mean optical depth that the default unit distance aims at. */
 constexpr double meanOpticalDepth = 2.0;
@@ -111,11 +111,11 @@ constexpr double localOpticalDepth = 2.0;
  * The range of the finite values, or magnitudes, of an array. The array's own is not used: VTK keeps it with the array, and vtkPointDataToCellData
  * hands that of the points on to the cells.
  */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void findFiniteRange(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void FindFiniteRange(
   vtkDataArray* array, double range[2]);
 
 /** The opacity function's value at a scalar divided by its greatest value; none without a function or without opacity. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::function<double(double)> fullOpacity(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::function<double(double)> FullOpacity(
   vtkPiecewiseFunction* function);
 
 /**
@@ -124,7 +124,7 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT std::function<double(double)> fullOpac
  * that rays through that part have a mean optical depth of 4 and its core shows. It depends on the size of the data, not on their resolution. 0 if
  * nothing is opaque, or without a volume.
  */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double defaultUnitDistance(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double DefaultUnitDistance(
   const MediumMeasures& measures, const MediumBounds& common, bool ramp);
 
 } // namespace nephoscope

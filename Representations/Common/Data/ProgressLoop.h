@@ -57,7 +57,7 @@ namespace detail
 {
 /** stretch(begin, end) over [0, n); false when stopped. */
 template <typename Stretch>
-bool inStretches(std::size_t n, const Progress& progress, std::size_t shortest, std::size_t longest,
+bool InStretches(std::size_t n, const Progress& progress, std::size_t shortest, std::size_t longest,
   Stretch stretch)
 {
   using Clock = std::chrono::steady_clock;
@@ -89,12 +89,12 @@ constexpr std::size_t anyLength = static_cast<std::size_t>(-1);
  * where some are much heavier than those before them.
  */
 template <typename Body>
-bool forRanges(std::size_t n, const Progress& progress, Body body, std::size_t longest = anyLength)
+bool ForRanges(std::size_t n, const Progress& progress, Body body, std::size_t longest = anyLength)
 {
   const std::size_t threads =
     static_cast<std::size_t>(std::max(vtkSMPTools::GetEstimatedNumberOfThreads(), 1));
   longest = longest == anyLength ? n : longest * threads;
-  return detail::inStretches(
+  return detail::InStretches(
     n, progress, threads, longest, [&body](std::size_t first, std::size_t last) {
       vtkSMPTools::For(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last),
         [&body](vtkIdType begin, vtkIdType end) {
@@ -105,9 +105,10 @@ bool forRanges(std::size_t n, const Progress& progress, Body body, std::size_t l
 
 /** body(i) in parallel for i in [0, n); false when stopped before the end. */
 template <typename Body>
-bool forEach(std::size_t n, const Progress& progress, Body body, std::size_t longest = anyLength)
+bool ForEachIndex(
+  std::size_t n, const Progress& progress, Body body, std::size_t longest = anyLength)
 {
-  return forRanges(
+  return ForRanges(
     n, progress,
     [&body](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -120,9 +121,9 @@ bool forEach(std::size_t n, const Progress& progress, Body body, std::size_t lon
 
 /** body(i) one after the other; false when stopped before the end. */
 template <typename Body>
-bool forEachInTurn(std::size_t n, const Progress& progress, Body body)
+bool ForEachInTurn(std::size_t n, const Progress& progress, Body body)
 {
-  return detail::inStretches(n, progress, 1, n, [&body](std::size_t begin, std::size_t end) {
+  return detail::InStretches(n, progress, 1, n, [&body](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
       body(i);

@@ -13,17 +13,17 @@ namespace
 constexpr double share = 0.1; // of the weight, on either side of the bulk
 constexpr double shrinkage = 4.0;
 
-bool isEmpty(const MediumBounds& box)
+bool IsEmpty(const MediumBounds& box)
 {
   return box[0] > box[1];
 }
 
-double diagonalOf(const MediumBounds& box)
+double DiagonalOf(const MediumBounds& box)
 {
   return std::hypot(box[1] - box[0], box[3] - box[2], box[5] - box[4]);
 }
 
-void sumOver(const MediumReduction& over, double* numbers, int count)
+void SumOver(const MediumReduction& over, double* numbers, int count)
 {
   if (over.Sum)
   {
@@ -31,31 +31,31 @@ void sumOver(const MediumReduction& over, double* numbers, int count)
   }
 }
 
-bool counts(const WeightedPlace& p)
+bool Counts(const WeightedPlace& p)
 {
   return p.Weight > 0.0 && std::isfinite(p.Weight + p.Place[0] + p.Place[1] + p.Place[2]);
 }
 
 // The weight below the two numbers of every axis, and all of it last.
-std::array<double, 7> weightsBelow(
+std::array<double, 7> WeightsBelow(
   const std::vector<WeightedPlace>& places, const MediumBounds& box, const MediumReduction& over)
 {
   std::array<double, 7> weights{};
   for (const WeightedPlace& p : places)
   {
-    const double weight = counts(p) ? p.Weight : 0.0;
+    const double weight = Counts(p) ? p.Weight : 0.0;
     for (std::size_t i = 0; i < 6; ++i)
     {
       weights[i] += p.Place[i / 2] <= box[i] ? weight : 0.0;
     }
     weights[6] += weight;
   }
-  sumOver(over, weights.data(), 7);
+  SumOver(over, weights.data(), 7);
   return weights;
 }
 
 // By bisection, which takes the same steps on all processes. Empty where nothing has a weight.
-MediumBounds bulkOf(
+MediumBounds BulkOf(
   const std::vector<WeightedPlace>& places, const MediumBounds& all, const MediumReduction& over)
 {
   constexpr int steps = 128; // enough for a bulk that is 1e-38 of the bounds
@@ -71,7 +71,7 @@ MediumBounds bulkOf(
     MediumBounds middle;
     std::transform(low.begin(), low.end(), high.begin(), middle.begin(),
       [](double a, double b) { return 0.5 * a + 0.5 * b; });
-    const std::array<double, 7> weights = weightsBelow(places, middle, over);
+    const std::array<double, 7> weights = WeightsBelow(places, middle, over);
     if (!(weights[6] > 0.0))
     {
       return NoMediumBounds;
@@ -87,41 +87,41 @@ MediumBounds bulkOf(
   return { { low[0], high[1], low[2], high[3], low[4], high[5] } };
 }
 
-double shareOutside(
+double ShareOutside(
   const std::vector<WeightedPlace>& places, const MediumBounds& box, const MediumReduction& over)
 {
   double numbers[2] = {};
   for (const WeightedPlace& p : places)
   {
-    const double number = counts(p) ? p.Number : 0.0;
-    numbers[0] += holdsPlace(box, p.Place) ? 0.0 : number;
+    const double number = Counts(p) ? p.Number : 0.0;
+    numbers[0] += HoldsPlace(box, p.Place) ? 0.0 : number;
     numbers[1] += number;
   }
-  sumOver(over, numbers, 2);
+  SumOver(over, numbers, 2);
   return numbers[0] / numbers[1];
 }
 
-MediumBounds widened(const MediumBounds& box, double margin)
+MediumBounds Widened(const MediumBounds& box, double margin)
 {
   return { { box[0] - margin, box[1] + margin, box[2] - margin, box[3] + margin, box[4] - margin,
     box[5] + margin } };
 }
 } // namespace
 
-double weightOfCell(double volume, double length)
+double WeightOfCell(double volume, double length)
 {
   const double fullness = length > 0.0 ? volume / (length * length * length) : 0.0;
   return volume * fullness * fullness *
     fullness; // of splats even the thinnest have a fiftieth of their length: 4e-4
 }
 
-bool holdsPlace(const MediumBounds& b, const double x[3])
+bool HoldsPlace(const MediumBounds& b, const double x[3])
 {
   return x[0] >= b[0] && x[0] <= b[1] && x[1] >= b[2] && x[1] <= b[3] && x[2] >= b[4] &&
     x[2] <= b[5];
 }
 
-MediumBounds robustBounds(const std::vector<WeightedPlace>& places,
+MediumBounds RobustBounds(const std::vector<WeightedPlace>& places,
   const std::function<MediumBounds(const MediumBounds& box)>& boundsWithin,
   const MediumReduction& over)
 {
@@ -129,17 +129,17 @@ MediumBounds robustBounds(const std::vector<WeightedPlace>& places,
     return over.Bounds ? over.Bounds(boundsWithin(box)) : boundsWithin(box);
   };
   const MediumBounds all = boundsOver(WholeMedium);
-  const MediumBounds bulk = isEmpty(all) ? all : bulkOf(places, all, over);
-  if (isEmpty(bulk) || !(shrinkage * diagonalOf(bulk) < diagonalOf(all)))
+  const MediumBounds bulk = IsEmpty(all) ? all : BulkOf(places, all, over);
+  if (IsEmpty(bulk) || !(shrinkage * DiagonalOf(bulk) < DiagonalOf(all)))
   {
     return all;
   }
-  const MediumBounds kept = boundsOver(widened(bulk, diagonalOf(bulk)));
-  const bool farther = !isEmpty(kept) && shrinkage * diagonalOf(kept) <= diagonalOf(all);
-  return farther && shareOutside(places, kept, over) <= share ? kept : all;
+  const MediumBounds kept = boundsOver(Widened(bulk, DiagonalOf(bulk)));
+  const bool farther = !IsEmpty(kept) && shrinkage * DiagonalOf(kept) <= DiagonalOf(all);
+  return farther && ShareOutside(places, kept, over) <= share ? kept : all;
 }
 
-MediumBounds robustBoundsOfPlaces(vtkIdType count,
+MediumBounds RobustBoundsOfPlaces(vtkIdType count,
   const std::function<bool(vtkIdType number, double* place)>& place, const MediumReduction& over)
 {
   const SampleChoice choice(count, enoughPlaces);
@@ -159,14 +159,14 @@ MediumBounds robustBoundsOfPlaces(vtkIdType count,
     double x[3];
     for (vtkIdType i = 0; i < count; ++i)
     {
-      if (place(i, x) && holdsPlace(box, x))
+      if (place(i, x) && HoldsPlace(box, x))
       {
-        addPlace(bounds, x);
+        ExtendBounds(bounds, x);
       }
     }
     return bounds;
   };
-  return robustBounds(places, boundsWithin, over);
+  return RobustBounds(places, boundsWithin, over);
 }
 
 } // namespace nephoscope

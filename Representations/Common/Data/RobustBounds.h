@@ -26,7 +26,7 @@ struct WeightedPlace
  * Weight of a cell, from its volume and its greatest length: its volume, but next to nothing for a needle. One point far away makes needles of all cells
  * around it, which would outweigh the others.
  */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double weightOfCell(double volume, double length);
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double WeightOfCell(double volume, double length);
 
 /** Sums and bounds of all processes that share the medium; empty functions: of a single one. */
 struct MediumReduction
@@ -41,7 +41,7 @@ constexpr MediumBounds WholeMedium = { { -VTK_DOUBLE_MAX, VTK_DOUBLE_MAX, -VTK_D
 /** The number of positions that is enough for robust bounds. */
 constexpr vtkIdType enoughPlaces = 10000;
 
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool holdsPlace(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool HoldsPlace(
   const MediumBounds& bounds, const double place[3]);
 
 /**
@@ -49,13 +49,13 @@ VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool holdsPlace(
  * of the weight on either side of every axis; near means no farther from it than its own diagonal (after Tukey's fences), as nine tenths of all
  * places must be. Uniform and normal distributions have no stray part. `boundsWithin` gives the bounds of this process inside a box; all processes must call.
  */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds robustBounds(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds RobustBounds(
   const std::vector<WeightedPlace>& places,
   const std::function<MediumBounds(const MediumBounds& box)>& boundsWithin,
   const MediumReduction& over = {});
 
 /** The same of so many places that all count alike; `place` returns whether there is one with that number. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds robustBoundsOfPlaces(vtkIdType count,
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT MediumBounds RobustBoundsOfPlaces(vtkIdType count,
   const std::function<bool(vtkIdType number, double* place)>& place,
   const MediumReduction& over = {});
 

@@ -29,7 +29,7 @@ struct ScalarSelection
     0; ///< above 0: shaders change values, by at most this much upwards, and down to 0
 };
 
-inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
+inline double ScalarValue(const ScalarSelection& scalars, vtkIdType tuple)
 {
   const int components = scalars.Array->GetNumberOfComponents();
   if (components == 1 || scalars.Component >= 0)
@@ -50,7 +50,7 @@ inline double scalarValue(const ScalarSelection& scalars, vtkIdType tuple)
  * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
  * would take the precision of all that is drawn. `single` says whether all values are equal. False when stopped.
  */
-inline bool findRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2],
+inline bool FindRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2],
   const Progress& progress = {}, bool* single = nullptr)
 {
   vtkUnsignedCharArray* ghosts =
@@ -60,9 +60,9 @@ inline bool findRange(vtkDataSet* data, const ScalarSelection& scalars, double r
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   const std::size_t n = static_cast<std::size_t>(scalars.Array->GetNumberOfTuples());
-  const bool done = forEachInTurn(n, progress, [&](std::size_t tuple) {
+  const bool done = ForEachInTurn(n, progress, [&](std::size_t tuple) {
     const vtkIdType i = static_cast<vtkIdType>(tuple);
-    const double value = scalarValue(scalars, i);
+    const double value = ScalarValue(scalars, i);
     if (std::isfinite(value) && !(ghosts && (ghosts->GetValue(i) & hidden)))
     {
       low = std::min(low, value);
@@ -88,26 +88,26 @@ inline bool findRange(vtkDataSet* data, const ScalarSelection& scalars, double r
 }
 
 /** 0 at the low end of the range, 1 at its high end. */
-inline double normalizedValue(double value, const double range[2])
+inline double NormalizedValue(double value, const double range[2])
 {
   const double width = range[1] - range[0];
   return std::isfinite(width) ? (value - range[0]) / width
                               : (0.5 * value - 0.5 * range[0]) / (0.5 * range[1] - 0.5 * range[0]);
 }
 
-inline float normalized(const ScalarSelection& scalars, vtkIdType tuple, const double range[2])
+inline float Normalized(const ScalarSelection& scalars, vtkIdType tuple, const double range[2])
 {
-  return static_cast<float>(normalizedValue(scalarValue(scalars, tuple), range));
+  return static_cast<float>(NormalizedValue(ScalarValue(scalars, tuple), range));
 }
 
 /** The values of all tuples; NaN where one is not finite. */
-inline std::vector<float> normalizedScalars(const ScalarSelection& scalars, const double range[2])
+inline std::vector<float> NormalizedScalars(const ScalarSelection& scalars, const double range[2])
 {
   std::vector<float> values(static_cast<std::size_t>(scalars.Array->GetNumberOfTuples()));
   vtkSMPTools::For(0, static_cast<vtkIdType>(values.size()), [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      const float s = normalized(scalars, i, range);
+      const float s = Normalized(scalars, i, range);
       values[static_cast<std::size_t>(i)] =
         std::isfinite(s) ? s : std::numeric_limits<float>::quiet_NaN();
     }

@@ -26,7 +26,7 @@ constexpr float leastOpacity = 1e-6f;
 constexpr int largestDepth = 12; // the finest piece is 1/4096 of the way between two control points
 
 /** How far inside an interval its limits are taken: as little as the arithmetic allows, so that a jump stays outside. */
-double limitInset(double low, double high)
+double LimitInset(double low, double high)
 {
   const double rounding =
     4 * std::numeric_limits<double>::epsilon() * std::max(std::abs(low), std::abs(high));
@@ -212,12 +212,12 @@ private:
   double TabulatedRange[2] = { 0, 1 };
 };
 
-float colorDifference(const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b)
+float ColorDifference(const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b)
 {
   return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });
 }
 
-TransferFunctionTable::Value mix(
+TransferFunctionTable::Value Mix(
   const TransferFunctionTable::Value& a, const TransferFunctionTable::Value& b, float t)
 {
   TransferFunctionTable::Value result;
@@ -229,18 +229,18 @@ TransferFunctionTable::Value mix(
 }
 
 /** Limits at the ends of an interval: the line through two places just inside, which are as near as rounding allows. */
-TransferFunctionTable::Interval limits(const Sampler& sample, double low, double high)
+TransferFunctionTable::Interval Limits(const Sampler& sample, double low, double high)
 {
-  const double inset = limitInset(low, high);
+  const double inset = LimitInset(low, high);
   const double from = low + inset, to = high - inset; // rounded: the distances are taken from these
   const auto a = sample(from), b = sample(to);
   if (!(to > from))
   {
     return { a, a };
   }
-  TransferFunctionTable::Interval result = { mix(a, b,
+  TransferFunctionTable::Interval result = { Mix(a, b,
                                                static_cast<float>((low - from) / (to - from))),
-    mix(a, b, static_cast<float>((high - from) / (to - from))) };
+    Mix(a, b, static_cast<float>((high - from) / (to - from))) };
   for (std::size_t c = 0; c < 4; ++c)
   {
     result.Low[c] = std::max(0.0f, result.Low[c]);
@@ -250,17 +250,17 @@ TransferFunctionTable::Interval limits(const Sampler& sample, double low, double
 }
 
 /** True when the function is a straight line between its limits at two places, as far as one can tell. */
-bool isStraight(const Sampler& sample, double low, double high)
+bool IsStraight(const Sampler& sample, double low, double high)
 {
-  const auto [a, b] = limits(sample, low, high);
+  const auto [a, b] = Limits(sample, low, high);
   for (const double t :
     { 0.07, 0.2, 0.31, 0.4, 0.5, 0.6, 0.69, 0.8, 0.93 }) // several, for kinks lie anywhere
   {
     const double x = low + t * (high - low);
     const auto value = sample(x);
-    const auto line = mix(a, b, static_cast<float>((x - low) / (high - low))); // x is rounded
+    const auto line = Mix(a, b, static_cast<float>((x - low) / (high - low))); // x is rounded
     const double opacityTolerance = curveTolerance * std::max({ value[3], line[3], leastOpacity });
-    if (colorDifference(value, line) >= curveTolerance ||
+    if (ColorDifference(value, line) >= curveTolerance ||
       std::abs(value[3] - line[3]) >= opacityTolerance)
     {
       return false;
@@ -272,17 +272,17 @@ bool isStraight(const Sampler& sample, double low, double high)
 constexpr float leastDistance = 1e-30f;
 
 /** Adds the inner nodes that the curve between two places needs, ascending. */
-void refine(const Sampler& sample, double low, double high, int depth, std::vector<double>& nodes)
+void Refine(const Sampler& sample, double low, double high, int depth, std::vector<double>& nodes)
 {
-  const bool finest = depth == largestDepth || 0.5 * (high - low) <= 16 * limitInset(low, high);
-  if (finest || isStraight(sample, low, high))
+  const bool finest = depth == largestDepth || 0.5 * (high - low) <= 16 * LimitInset(low, high);
+  if (finest || IsStraight(sample, low, high))
   {
     return;
   }
   const double middle = 0.5 * (low + high);
-  refine(sample, low, middle, depth + 1, nodes);
+  Refine(sample, low, middle, depth + 1, nodes);
   nodes.push_back(middle);
-  refine(sample, middle, high, depth + 1, nodes);
+  Refine(sample, middle, high, depth + 1, nodes);
 }
 }
 
@@ -296,7 +296,7 @@ void TransferFunctionTable::Build(
   {
     if (i > 0)
     {
-      refine(sample, controlPoints[i - 1], controlPoints[i], 0, nodes);
+      Refine(sample, controlPoints[i - 1], controlPoints[i], 0, nodes);
     }
     nodes.push_back(controlPoints[i]);
   }
@@ -314,13 +314,13 @@ void TransferFunctionTable::Build(
     const double high = k == nodes.size() ? nodes.back() + width : nodes[k];
     const bool outside = k == 0 || k == nodes.size();
     const Value middle = sample(0.5 * low + 0.5 * high);
-    this->Intervals.push_back(outside ? Interval{ middle, middle } : limits(sample, low, high));
+    this->Intervals.push_back(outside ? Interval{ middle, middle } : Limits(sample, low, high));
   }
   this->Widths.clear();
   for (std::size_t k = 0; k < nodes.size(); ++k)
   {
     const double above = k + 1 < nodes.size() ? nodes[k + 1] : nodes[k];
-    const float node = static_cast<float>(normalizedValue(nodes[k], range));
+    const float node = static_cast<float>(NormalizedValue(nodes[k], range));
     // Nodes too near for floats are no jump: what lies on the first has its color, not that of the last. Shaders take 1e-38 for 0.
     const bool merged =
       k > 0 && nodes[k] > nodes[k - 1] && node < this->Nodes.back() + leastDistance;
@@ -364,7 +364,7 @@ TransferFunctionTable::Value TransferFunctionTable::Evaluate(float s) const
     return interval.Low;
   }
   const float width = this->Widths[k - 1];
-  return mix(interval.Low, interval.High,
+  return Mix(interval.Low, interval.High,
     width > 0 ? std::max(0.0f, std::min(1.0f, (s - this->Nodes[k - 1]) / width)) : 0.0f);
 }
 

@@ -20,7 +20,7 @@ namespace
 const char* const noFloatImages = "this OpenGL cannot draw into 32-bit float images";
 
 /** A viewport at the origin with fewer pixels. */
-std::array<int, 4> coarseViewport(const int viewport[4], double sampleDistance)
+std::array<int, 4> CoarseViewport(const int viewport[4], double sampleDistance)
 {
   const auto fewer = [&](int pixels) {
     return std::max(static_cast<int>(std::ceil(pixels / sampleDistance)), 1);
@@ -29,7 +29,7 @@ std::array<int, 4> coarseViewport(const int viewport[4], double sampleDistance)
 }
 
 /** The pixels that a region of the viewport covers, and those next to them. */
-PixelRegion coarseRegion(
+PixelRegion CoarseRegion(
   const PixelRegion& region, const int viewport[4], const std::array<int, 4>& coarse)
 {
   PixelRegion covered;
@@ -97,8 +97,8 @@ std::string FloatLayer::Draw(vtkOpenGLRenderWindow* window, const Painter& paint
   this->Depth.Copy(window, viewport, region ? region->data() : nullptr);
   if (sampleDistance > 1)
   {
-    painted = coarseViewport(viewport, sampleDistance);
-    paintedPart = coarseRegion(part, viewport, painted);
+    painted = CoarseViewport(viewport, sampleDistance);
+    paintedPart = CoarseRegion(part, viewport, painted);
     this->Depth.Coarsen(window, painted[2], painted[3]);
   }
   std::string error = noFloatImages;

@@ -11,7 +11,7 @@
 
 namespace nephoscope
 {
-inline void forwardMessages(vtkObject* from, vtkObject* to)
+inline void ForwardMessages(vtkObject* from, vtkObject* to)
 {
   using Target = vtkWeakPointer<vtkObject>; // `from` may outlive it
   vtkNew<vtkCallbackCommand> forward;

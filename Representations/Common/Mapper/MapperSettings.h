@@ -12,7 +12,7 @@
 namespace nephoscope
 {
 
-inline void copyInputAndScalars(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
+inline void CopyInputAndScalars(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
 {
   to->SetInputConnection(
     0, from->GetNumberOfInputConnections(0) > 0 ? from->GetInputConnection(0, 0) : nullptr);
@@ -28,9 +28,9 @@ inline void copyInputAndScalars(vtkAbstractVolumeMapper* from, vtkAbstractVolume
 }
 
 /** The input, the choice of scalars, and a list of its own of the same clipping planes. */
-inline void copyVolumeSettings(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
+inline void CopyVolumeSettings(vtkAbstractVolumeMapper* from, vtkAbstractVolumeMapper* to)
 {
-  copyInputAndScalars(from, to);
+  CopyInputAndScalars(from, to);
   if (from->GetClippingPlanes())
   {
     vtkNew<vtkPlaneCollection> planes;

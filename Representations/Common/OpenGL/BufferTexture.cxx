@@ -19,7 +19,7 @@ namespace nephoscope
 {
 namespace
 {
-std::size_t tupleSize(int components, int type)
+std::size_t TupleSize(int components, int type)
 {
   return static_cast<std::size_t>(components) * (type == VTK_UNSIGNED_CHAR ? 1 : 4);
 }
@@ -31,7 +31,7 @@ BufferTexture::~BufferTexture() = default;
 std::string BufferTexture::Upload(
   vtkOpenGLRenderWindow* window, const void* data, std::size_t tuples, int components, int type)
 {
-  const ArrayLayout layout = currentArrayLayout();
+  const ArrayLayout layout = CurrentArrayLayout();
   if (tuples > layout.Capacity)
   {
     std::ostringstream text;
@@ -67,7 +67,7 @@ std::string BufferTexture::Upload(
 void BufferTexture::UploadBuffer(const void* data, std::size_t tuples, int components, int type)
 {
   this->Buffer->SetType(vtkOpenGLBufferObject::TextureBuffer);
-  this->Buffer->Upload(static_cast<const char*>(data), tuples * tupleSize(components, type),
+  this->Buffer->Upload(static_cast<const char*>(data), tuples * TupleSize(components, type),
     vtkOpenGLBufferObject::TextureBuffer);
   this->Texture->CreateTextureBuffer(
     static_cast<unsigned int>(tuples), components, type, this->Buffer);
@@ -79,8 +79,8 @@ void BufferTexture::UploadRows(
 {
   const std::size_t width = std::size_t(1) << rowBits;
   const std::size_t height = (tuples + width - 1) >> rowBits;
-  std::vector<char> rows(width * height * tupleSize(components, type), 0);
-  std::memcpy(rows.data(), data, tuples * tupleSize(components, type));
+  std::vector<char> rows(width * height * TupleSize(components, type), 0);
+  std::memcpy(rows.data(), data, tuples * TupleSize(components, type));
   this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),

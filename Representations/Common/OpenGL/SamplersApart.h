@@ -19,7 +19,7 @@ namespace nephoscope
 {
 
 /** The program is the one in use. */
-inline void setSamplersApart(vtkShaderProgram* program)
+inline void SetSamplersApart(vtkShaderProgram* program)
 {
   static const std::array<GLenum, 6> kinds = { { GL_SAMPLER_2D, GL_INT_SAMPLER_2D,
     GL_SAMPLER_BUFFER, GL_INT_SAMPLER_BUFFER, GL_SAMPLER_3D, GL_SAMPLER_2D_ARRAY } };

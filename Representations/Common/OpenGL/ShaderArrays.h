@@ -26,7 +26,7 @@ struct ArrayLayout
 };
 
 /** The layout of the current context. */
-inline ArrayLayout currentArrayLayout()
+inline ArrayLayout CurrentArrayLayout()
 {
   constexpr GLint large = 1 << 24;
   GLint buffer = 0, side = 0;
@@ -45,7 +45,7 @@ inline ArrayLayout currentArrayLayout()
   return layout;
 }
 
-inline std::string arrayDeclarations(const ArrayLayout& layout)
+inline std::string ArrayDeclarations(const ArrayLayout& layout)
 {
   const std::string bits = std::to_string(layout.RowBits);
   const std::string mask = std::to_string((1 << layout.RowBits) - 1);

@@ -18,7 +18,7 @@ namespace nephoscope
 
 using ShaderParts = std::initializer_list<std::pair<const char*, std::string>>;
 
-inline std::string withShaderParts(std::string shader, const ShaderParts& parts)
+inline std::string WithShaderParts(std::string shader, const ShaderParts& parts)
 {
   for (const auto& part : parts)
   {

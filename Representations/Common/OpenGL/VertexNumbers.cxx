@@ -12,7 +12,7 @@ namespace nephoscope
 namespace
 {
 template <typename Numbers>
-void uploadOrRelease(vtkOpenGLBufferObject* buffer, const Numbers& numbers)
+void UploadOrRelease(vtkOpenGLBufferObject* buffer, const Numbers& numbers)
 {
   if (numbers.empty()) // which VTK refuses to upload
   {
@@ -30,14 +30,14 @@ void VertexNumbers::Upload(const std::vector<std::int32_t>& numbers, int compone
 {
   this->Integers = true;
   this->Components = components;
-  uploadOrRelease(this->Buffer, numbers);
+  UploadOrRelease(this->Buffer, numbers);
 }
 
 void VertexNumbers::Upload(const std::vector<float>& numbers)
 {
   this->Integers = false;
   this->Components = 1;
-  uploadOrRelease(this->Buffer, numbers);
+  UploadOrRelease(this->Buffer, numbers);
 }
 
 void VertexNumbers::Activate(vtkShaderProgram* program, const char* name)

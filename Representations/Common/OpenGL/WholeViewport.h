@@ -20,7 +20,7 @@ constexpr const char* wholeViewportVertex =
   "}\n";
 
 /** Draws it; `attributes` is an array of none. */
-inline void drawWholeViewport(vtkOpenGLVertexArrayObject* attributes)
+inline void DrawWholeViewport(vtkOpenGLVertexArrayObject* attributes)
 {
   attributes->Bind();
   glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -25,7 +25,7 @@ struct Box
   double CellVolume;
 };
 
-Box boxOf(vtkImageData* image)
+Box BoxOf(vtkImageData* image)
 {
   Box box;
   image->GetBounds(box.Bounds);
@@ -35,7 +35,7 @@ Box boxOf(vtkImageData* image)
 }
 
 // The cells of an image that have their centre between two bounds: first and last index along each axis. False without any.
-bool cellsWithin(vtkImageData* image, const double bounds[6], int range[6])
+bool CellsWithin(vtkImageData* image, const double bounds[6], int range[6])
 {
   const double* origin = image->GetOrigin();
   const double* spacing = image->GetSpacing();
@@ -57,7 +57,7 @@ bool cellsWithin(vtkImageData* image, const double bounds[6], int range[6])
   return true;
 }
 
-vtkUnsignedCharArray* ownGhosts(vtkImageData* image)
+vtkUnsignedCharArray* OwnGhosts(vtkImageData* image)
 {
   vtkNew<vtkUnsignedCharArray> ghosts;
   if (vtkUnsignedCharArray* given = image->GetCellGhostArray())
@@ -74,7 +74,7 @@ vtkUnsignedCharArray* ownGhosts(vtkImageData* image)
   return image->GetCellGhostArray();
 }
 
-void hideCells(vtkImageData* image, const int range[6])
+void HideCells(vtkImageData* image, const int range[6])
 {
   int dimensions[3];
   image->GetDimensions(dimensions);
@@ -97,7 +97,7 @@ void hideCells(vtkImageData* image, const int range[6])
 }
 } // namespace
 
-vtkSmartPointer<vtkDataSet> leafCells(vtkDataObject* leaf)
+vtkSmartPointer<vtkDataSet> LeafCells(vtkDataObject* leaf)
 {
   if (!vtkHyperTreeGrid::SafeDownCast(leaf))
   {
@@ -112,7 +112,7 @@ vtkSmartPointer<vtkDataSet> leafCells(vtkDataObject* leaf)
   return joined->GetOutput();
 }
 
-void hideCoveredCells(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
+void HideCoveredCells(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
 {
   std::vector<Box> boxes;
   for (auto& block : blocks)
@@ -124,8 +124,8 @@ void hideCoveredCells(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
     }
     auto copy = vtkSmartPointer<vtkImageData>::Take(image->NewInstance());
     copy->ShallowCopy(image);
-    ownGhosts(copy); // all blocks need one, or appending drops it
-    boxes.push_back(boxOf(copy));
+    OwnGhosts(copy); // all blocks need one, or appending drops it
+    boxes.push_back(BoxOf(copy));
     block = copy;
   }
   for (std::size_t coarse = 0; coarse < blocks.size(); ++coarse)
@@ -135,9 +135,9 @@ void hideCoveredCells(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
     {
       int range[6];
       if (fine.CellVolume < 0.75 * boxes[coarse].CellVolume &&
-        cellsWithin(image, fine.Bounds, range))
+        CellsWithin(image, fine.Bounds, range))
       {
-        hideCells(image, range);
+        HideCells(image, range);
       }
     }
   }

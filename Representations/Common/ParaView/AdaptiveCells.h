@@ -15,10 +15,10 @@ namespace nephoscope
 {
 
 /** A leaf of a composite as a dataset: itself, or a hyper tree grid's cells. Null when it is neither. */
-vtkSmartPointer<vtkDataSet> leafCells(vtkDataObject* leaf);
+vtkSmartPointer<vtkDataSet> LeafCells(vtkDataObject* leaf);
 
 /** Hides, in copies that replace the blocks, the cells of images that lie under images of smaller cells: blocks of AMR data. */
-void hideCoveredCells(std::vector<vtkSmartPointer<vtkDataSet>>& blocks);
+void HideCoveredCells(std::vector<vtkSmartPointer<vtkDataSet>>& blocks);
 
 } // namespace nephoscope
 

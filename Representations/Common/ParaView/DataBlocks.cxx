@@ -33,12 +33,12 @@ namespace nephoscope
 
 namespace
 {
-std::vector<vtkSmartPointer<vtkDataSet>> blocksOf(
+std::vector<vtkSmartPointer<vtkDataSet>> BlocksOf(
   vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts)
 {
   std::vector<vtkSmartPointer<vtkDataSet>> blocks;
   ForEachLeaf(input, [&](vtkDataObject* leaf) {
-    vtkSmartPointer<vtkDataSet> cells = leafCells(leaf);
+    vtkSmartPointer<vtkDataSet> cells = LeafCells(leaf);
     if (cells && counts(cells))
     {
       blocks.push_back(cells);
@@ -52,18 +52,18 @@ namespace
 {
 using Attributes = vtkDataSetAttributes* (*)(vtkDataSet*);
 
-vtkDataSetAttributes* pointData(vtkDataSet* data)
+vtkDataSetAttributes* PointData(vtkDataSet* data)
 {
   return data->GetPointData();
 }
 
-vtkDataSetAttributes* cellData(vtkDataSet* data)
+vtkDataSetAttributes* CellData(vtkDataSet* data)
 {
   return data->GetCellData();
 }
 
 // vtkAppendFilter drops arrays that differ in type from block to block: they become double.
-void giveOneType(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const std::string& name,
+void GiveOneType(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const std::string& name,
   Attributes attributes)
 {
   const auto arrayOf = [&](vtkDataSet* block) { return attributes(block)->GetArray(name.c_str()); };
@@ -96,7 +96,7 @@ void giveOneType(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const s
 }
 
 // It drops arrays that only some blocks have: where others have none, the values are missing.
-void addMissing(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const std::string& name,
+void AddMissing(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const std::string& name,
   Attributes attributes, vtkIdType (vtkDataSet::*count)())
 {
   int components = 0;
@@ -124,7 +124,7 @@ void addMissing(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, const st
   }
 }
 
-std::set<std::string> namesOfArrays(
+std::set<std::string> NamesOfArrays(
   const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attributes attributes)
 {
   std::set<std::string> names;
@@ -141,7 +141,7 @@ std::set<std::string> namesOfArrays(
 }
 
 // It drops the flags of hidden cells and ghosts, too, where only some blocks have them.
-void completeFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attributes attributes,
+void CompleteFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attributes attributes,
   vtkIdType (vtkDataSet::*count)())
 {
   const char* name = vtkDataSetAttributes::GhostArrayName();
@@ -164,7 +164,7 @@ void completeFlags(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks, Attri
 }
 
 // Copies that have the same arrays, of one type, and the same flags.
-void matchArrays(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
+void MatchArrays(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
 {
   for (auto& block : blocks)
   {
@@ -173,21 +173,21 @@ void matchArrays(std::vector<vtkSmartPointer<vtkDataSet>>& blocks)
     block = copy;
   }
   using Count = vtkIdType (vtkDataSet::*)();
-  const std::pair<Attributes, Count> kinds[2] = { { pointData, &vtkDataSet::GetNumberOfPoints },
-    { cellData, &vtkDataSet::GetNumberOfCells } };
+  const std::pair<Attributes, Count> kinds[2] = { { PointData, &vtkDataSet::GetNumberOfPoints },
+    { CellData, &vtkDataSet::GetNumberOfCells } };
   for (const auto& [attributes, count] : kinds)
   {
-    completeFlags(blocks, attributes, count);
-    for (const std::string& name : namesOfArrays(blocks, attributes))
+    CompleteFlags(blocks, attributes, count);
+    for (const std::string& name : NamesOfArrays(blocks, attributes))
     {
-      addMissing(blocks, name, attributes, count);
-      giveOneType(blocks, name, attributes);
+      AddMissing(blocks, name, attributes, count);
+      GiveOneType(blocks, name, attributes);
     }
   }
 }
 
 // Whether it is a part of a mesh, and no cloud of particles or surface.
-bool hasVolumes(vtkDataSet* data)
+bool HasVolumes(vtkDataSet* data)
 {
   std::array<bool, VTK_NUMBER_OF_CELL_TYPES> seen{};
   vtkNew<vtkGenericCell> cell;
@@ -209,14 +209,14 @@ bool hasVolumes(vtkDataSet* data)
 }
 } // namespace
 
-vtkSmartPointer<vtkDataSet> appendedBlocks(
+vtkSmartPointer<vtkDataSet> AppendedBlocks(
   vtkDataObject* input, const std::function<bool(vtkDataSet*)>& counts, BorderPoints border)
 {
-  auto blocks = blocksOf(input, counts);
+  auto blocks = BlocksOf(input, counts);
   const bool adaptive = vtkUniformGridAMR::SafeDownCast(input) != nullptr;
   if (adaptive)
   {
-    hideCoveredCells(blocks);
+    HideCoveredCells(blocks);
   }
   if (blocks.size() < 2)
   {
@@ -231,9 +231,9 @@ vtkSmartPointer<vtkDataSet> appendedBlocks(
   vtkNew<vtkAppendFilter> append;
   // Neighbours share a face. Splats of points on it would count twice.
   const bool meshes =
-    border == BorderPoints::Merged && std::all_of(blocks.begin(), blocks.end(), hasVolumes);
+    border == BorderPoints::Merged && std::all_of(blocks.begin(), blocks.end(), HasVolumes);
   append->SetMergePoints(adaptive || meshes);
-  matchArrays(blocks);
+  MatchArrays(blocks);
   for (vtkDataSet* block : blocks)
   {
     append->AddInputData(block);
@@ -242,7 +242,7 @@ vtkSmartPointer<vtkDataSet> appendedBlocks(
   return vtkSmartPointer<vtkDataSet>(append->GetOutput());
 }
 
-void storeNumbers(vtkDataSet* data, const char* name, const std::vector<double>& values)
+void StoreNumbers(vtkDataSet* data, const char* name, const std::vector<double>& values)
 {
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);

@@ -27,11 +27,11 @@ enum class BorderPoints
  * `input` itself (a shallow copy) if it is a dataset that counts, or the blocks of a composite that do, appended. Null without any. Arrays that differ
  * in type between blocks become double; an array that only some blocks have is missing (NaN) in the others; blocks without ghost flags, beside some with them, get flags of 0.
  */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> appendedBlocks(vtkDataObject* input,
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> AppendedBlocks(vtkDataObject* input,
   const std::function<bool(vtkDataSet*)>& counts, BorderPoints border = BorderPoints::Kept);
 
 /** Stores numbers with the data, so that every time step in ParaView's cache keeps its own. */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT void storeNumbers(
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT void StoreNumbers(
   vtkDataSet* data, const char* name, const std::vector<double>& values);
 
 } // namespace nephoscope

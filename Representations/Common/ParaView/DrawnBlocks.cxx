@@ -16,7 +16,7 @@ namespace nephoscope
 {
 namespace
 {
-bool has(vtkDataObject* block, const ArrayOfBlocks& array, int association)
+bool Has(vtkDataObject* block, const ArrayOfBlocks& array, int association)
 {
   const bool isAsked = array.Association == association ||
     array.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
@@ -24,7 +24,7 @@ bool has(vtkDataObject* block, const ArrayOfBlocks& array, int association)
   return arrays && arrays->HasArray(array.Name.c_str());
 }
 
-std::string listed(const std::vector<std::string>& names)
+std::string Listed(const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 3;
   std::string text;
@@ -37,16 +37,16 @@ std::string listed(const std::vector<std::string>& names)
                              : text;
 }
 
-std::string told(const std::vector<std::string>& names, const std::string& array)
+std::string Told(const std::vector<std::string>& names, const std::string& array)
 {
   const bool isOne = names.size() == 1;
-  return (isOne ? "Block " : "Blocks ") + listed(names) + (isOne ? " is" : " are") +
+  return (isOne ? "Block " : "Blocks ") + Listed(names) + (isOne ? " is" : " are") +
     " not drawn, without an array '" + array +
     "': choose Solid Color, or an array that all blocks have, to draw every block.";
 }
 } // namespace
 
-DrawnBlocks blocksWith(const ArrayOfBlocks& array, vtkDataObject* input,
+DrawnBlocks BlocksWith(const ArrayOfBlocks& array, vtkDataObject* input,
   const std::function<bool(vtkDataObject*)>& counts, const std::function<bool(bool)>& onAnyRank)
 {
   DrawnBlocks drawn;
@@ -62,11 +62,11 @@ DrawnBlocks blocksWith(const ArrayOfBlocks& array, vtkDataObject* input,
   {
     vtkDataObject* block = leaf->GetCurrentDataObject();
     const bool hasIt =
-      has(block, array, vtkDataObject::POINT) || has(block, array, vtkDataObject::CELL);
+      Has(block, array, vtkDataObject::POINT) || Has(block, array, vtkDataObject::CELL);
     any = any || hasIt;
     if (!hasIt && counts(block))
     {
-      names.push_back(nameOfBlock(leaf));
+      names.push_back(NameOfBlock(leaf));
     }
     else
     {
@@ -77,7 +77,7 @@ DrawnBlocks blocksWith(const ArrayOfBlocks& array, vtkDataObject* input,
   {
     kept->SetFieldData(input->GetFieldData());
     drawn.Data = kept;
-    drawn.Message = told(names, array.Name);
+    drawn.Message = Told(names, array.Name);
   }
   return drawn;
 }

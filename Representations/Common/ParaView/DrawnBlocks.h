@@ -31,7 +31,7 @@ struct DrawnBlocks
  * The blocks that have the array. A block of `input` for which `counts` is false stays and is not named; so does every block if none has the array,
  * and of AMR data. `onAnyRank` tells whether something is true on any rank: called once, by all ranks.
  */
-DrawnBlocks blocksWith(const ArrayOfBlocks& array, vtkDataObject* input,
+DrawnBlocks BlocksWith(const ArrayOfBlocks& array, vtkDataObject* input,
   const std::function<bool(vtkDataObject*)>& counts, const std::function<bool(bool)>& onAnyRank);
 
 } // namespace nephoscope

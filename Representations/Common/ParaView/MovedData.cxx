@@ -18,7 +18,7 @@ namespace nephoscope
 {
 namespace
 {
-bool turns(vtkMatrix4x4* matrix)
+bool Turns(vtkMatrix4x4* matrix)
 {
   for (int row = 0; row < 3; ++row)
   {
@@ -34,7 +34,7 @@ bool turns(vtkMatrix4x4* matrix)
   return false;
 }
 
-vtkSmartPointer<vtkDataSet> movedRectilinear(vtkRectilinearGrid* grid, vtkMatrix4x4* matrix)
+vtkSmartPointer<vtkDataSet> MovedRectilinear(vtkRectilinearGrid* grid, vtkMatrix4x4* matrix)
 {
   auto moved = vtkSmartPointer<vtkRectilinearGrid>::Take(grid->NewInstance());
   moved->ShallowCopy(grid);
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkDataSet> movedRectilinear(vtkRectilinearGrid* grid, vtkMatrix
   return moved;
 }
 
-vtkSmartPointer<vtkDataSet> movedImage(vtkImageData* image, vtkMatrix4x4* matrix)
+vtkSmartPointer<vtkDataSet> MovedImage(vtkImageData* image, vtkMatrix4x4* matrix)
 {
   auto moved = vtkSmartPointer<vtkImageData>::Take(image->NewInstance());
   moved->ShallowCopy(image);
@@ -76,23 +76,23 @@ vtkSmartPointer<vtkDataSet> movedImage(vtkImageData* image, vtkMatrix4x4* matrix
 
 }
 
-bool turnsOrShifts(vtkMatrix4x4* matrix)
+bool TurnsOrShifts(vtkMatrix4x4* matrix)
 {
-  return turns(matrix) || matrix->GetElement(0, 3) != 0.0 || matrix->GetElement(1, 3) != 0.0 ||
+  return Turns(matrix) || matrix->GetElement(0, 3) != 0.0 || matrix->GetElement(1, 3) != 0.0 ||
     matrix->GetElement(2, 3) != 0.0;
 }
 
-vtkSmartPointer<vtkDataSet> movedData(vtkDataSet* data, vtkMatrix4x4* matrix)
+vtkSmartPointer<vtkDataSet> MovedData(vtkDataSet* data, vtkMatrix4x4* matrix)
 {
   auto* image = vtkImageData::SafeDownCast(data);
-  if (image && !turns(matrix) && image->GetDirectionMatrix()->IsIdentity())
+  if (image && !Turns(matrix) && image->GetDirectionMatrix()->IsIdentity())
   {
-    return movedImage(image, matrix);
+    return MovedImage(image, matrix);
   }
   auto* rectilinear = vtkRectilinearGrid::SafeDownCast(data);
-  if (rectilinear && !turns(matrix))
+  if (rectilinear && !Turns(matrix))
   {
-    return movedRectilinear(rectilinear, matrix);
+    return MovedRectilinear(rectilinear, matrix);
   }
   vtkNew<vtkMatrixToLinearTransform> transform;
   transform->SetInput(matrix);
@@ -108,7 +108,7 @@ vtkSmartPointer<vtkDataSet> movedData(vtkDataSet* data, vtkMatrix4x4* matrix)
   return moved;
 }
 
-void moveBounds(double bounds[6], vtkMatrix4x4* matrix)
+void MoveBounds(double bounds[6], vtkMatrix4x4* matrix)
 {
   vtkBoundingBox moved;
   for (int corner = 0; corner < 8; ++corner)

@@ -17,14 +17,14 @@ namespace nephoscope
 {
 
 /** Whether the matrix does more than scale along the axes; ParaView's order is right then. */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT bool turnsOrShifts(vtkMatrix4x4* matrix);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT bool TurnsOrShifts(vtkMatrix4x4* matrix);
 
 /** The data moved, with their vectors; images and rectilinear grids remain such unless they are turned. */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> movedData(
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> MovedData(
   vtkDataSet* data, vtkMatrix4x4* matrix);
 
 /** The bounds of a box that has been moved. */
-void moveBounds(double bounds[6], vtkMatrix4x4* matrix);
+void MoveBounds(double bounds[6], vtkMatrix4x4* matrix);
 
 } // namespace nephoscope
 

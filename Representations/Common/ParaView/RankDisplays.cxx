@@ -11,7 +11,7 @@
 namespace nephoscope
 {
 
-std::string whyRanksWait()
+std::string WhyRanksWait()
 {
   static bool isTold = false;
   auto* ranks = vtkMultiProcessController::GetGlobalController();

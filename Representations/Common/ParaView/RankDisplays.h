@@ -12,7 +12,7 @@ namespace nephoscope
 /**
  * Why ranks will wait for one another for ever: some can draw and others cannot. Empty where all can, or none; and from the second call on. Collective.
  */
-std::string whyRanksWait();
+std::string WhyRanksWait();
 
 } // namespace nephoscope
 

@@ -19,7 +19,7 @@ namespace nephoscope
  * who waits. Collective.
  */
 template <typename Send, typename Receive>
-void meetOtherRanks(vtkMultiProcessController* controller, const Send& send, const Receive& receive)
+void MeetOtherRanks(vtkMultiProcessController* controller, const Send& send, const Receive& receive)
 {
   const int mine = controller->GetLocalProcessId();
   for (int other = 0; other < controller->GetNumberOfProcesses(); ++other)
@@ -41,7 +41,7 @@ void meetOtherRanks(vtkMultiProcessController* controller, const Send& send, con
 
 /** The records, plain data, that each rank has for this one; `own`: those that this one has for each rank. Collective. */
 template <typename Record>
-std::vector<std::vector<Record>> tradeRecords(
+std::vector<std::vector<Record>> TradeRecords(
   vtkMultiProcessController* controller, const std::vector<std::vector<Record>>& own)
 {
   static_assert(std::is_trivially_copyable<Record>::value, "sent as bytes");
@@ -63,7 +63,7 @@ std::vector<std::vector<Record>> tradeRecords(
     records.resize(static_cast<std::size_t>(count));
     controller->Receive(reinterpret_cast<char*>(records.data()), bytes(records), rank, tag + 1);
   };
-  meetOtherRanks(controller, send, receive);
+  MeetOtherRanks(controller, send, receive);
   return others;
 }
 

@@ -11,9 +11,9 @@ namespace nephoscope
 namespace
 {
 // Several intervals at once; an empty one must not count.
-void reduceRanges(double* ranges, int count)
+void ReduceRanges(double* ranges, int count)
 {
-  auto controller = otherRanks();
+  auto controller = OtherRanks();
   if (!controller)
   {
     return;
@@ -30,29 +30,29 @@ void reduceRanges(double* ranges, int count)
 }
 } // namespace
 
-MediumBounds reduceOverRanks(const MediumBounds& mine)
+MediumBounds ReduceOverRanks(const MediumBounds& mine)
 {
   MediumBounds all = mine;
-  reduceRanges(all.data(), 3);
+  ReduceRanges(all.data(), 3);
   return all;
 }
 
-MediumReduction reductionOverRanks()
+MediumReduction ReductionOverRanks()
 {
   const auto sum = [](double* numbers, int count) {
     const std::vector<double> mine(numbers, numbers + count);
-    if (auto controller = otherRanks())
+    if (auto controller = OtherRanks())
     {
       controller->AllReduce(mine.data(), numbers, count, vtkCommunicator::SUM_OP);
     }
   };
-  return { sum, [](const MediumBounds& mine) { return reduceOverRanks(mine); } };
+  return { sum, [](const MediumBounds& mine) { return ReduceOverRanks(mine); } };
 }
 
-MediumMeasures reduceOverRanks(const MediumMeasures& mine)
+MediumMeasures ReduceOverRanks(const MediumMeasures& mine)
 {
   MediumMeasures all = mine;
-  if (auto controller = otherRanks())
+  if (auto controller = OtherRanks())
   {
     std::vector<double> sums = { mine.Volume, mine.FiniteVolume, mine.ScalarIntegral,
       mine.OpacityIntegral, mine.Silhouettes };
@@ -68,14 +68,14 @@ MediumMeasures reduceOverRanks(const MediumMeasures& mine)
     all.Silhouettes = allSums[4];
     all.Projections.GetPixels().assign(allSums.begin() + 5, allSums.end());
     controller->AllReduce(mine.Reach.data(), all.Reach.data(), 8, vtkCommunicator::MAX_OP);
-    reduceRange(all.ScalarRange);
+    ReduceRange(all.ScalarRange);
   }
   return all;
 }
 
-void reduceRange(double range[2])
+void ReduceRange(double range[2])
 {
-  reduceRanges(range, 1);
+  ReduceRanges(range, 1);
 }
 
 } // namespace nephoscope

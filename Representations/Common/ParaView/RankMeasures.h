@@ -12,16 +12,16 @@
 namespace nephoscope
 {
 
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumBounds reduceOverRanks(const MediumBounds& mine);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumBounds ReduceOverRanks(const MediumBounds& mine);
 
 /** For robust bounds of the medium of all ranks. */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumReduction reductionOverRanks();
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumReduction ReductionOverRanks();
 
 /** Integrals, range and reach are of all; the bounds stay those of this rank. */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumMeasures reduceOverRanks(const MediumMeasures& mine);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT MediumMeasures ReduceOverRanks(const MediumMeasures& mine);
 
 /** Replaces a range, empty where its lower end exceeds the upper one, by that of all ranks. */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT void reduceRange(double range[2]);
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT void ReduceRange(double range[2]);
 
 } // namespace nephoscope
 

@@ -14,7 +14,7 @@ namespace nephoscope
 {
 namespace
 {
-std::vector<vtkBoundingBox> boundsOfRanks(
+std::vector<vtkBoundingBox> BoundsOfRanks(
   vtkMultiProcessController* controller, const std::vector<Vector3>& places)
 {
   vtkBoundingBox box;
@@ -38,7 +38,7 @@ std::vector<vtkBoundingBox> boundsOfRanks(
 using PlaceOnRank = std::pair<Vector3, int>;
 
 // Sorted places of other ranks that may be ours too.
-std::vector<PlaceOnRank> placesOfOtherRanks(
+std::vector<PlaceOnRank> PlacesOfOtherRanks(
   vtkMultiProcessController* controller, const std::vector<Vector3>& shared)
 {
   const auto ranks = static_cast<std::size_t>(controller->GetNumberOfProcesses());
@@ -103,7 +103,7 @@ private:
 };
 } // namespace
 
-std::vector<SharedPlace> placesOfSeveralRanks(const std::vector<Vector3>& places)
+std::vector<SharedPlace> PlacesOfSeveralRanks(const std::vector<Vector3>& places)
 {
   std::vector<SharedPlace> found;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
@@ -111,7 +111,7 @@ std::vector<SharedPlace> placesOfSeveralRanks(const std::vector<Vector3>& places
   {
     return found;
   }
-  std::vector<vtkBoundingBox> boxes = boundsOfRanks(controller, places);
+  std::vector<vtkBoundingBox> boxes = BoundsOfRanks(controller, places);
   const RoundedPlaces rounded(boxes);
   for (vtkBoundingBox& box : boxes)
   {
@@ -132,7 +132,7 @@ std::vector<SharedPlace> placesOfSeveralRanks(const std::vector<Vector3>& places
       }
     }
   }
-  const std::vector<PlaceOnRank> others = placesOfOtherRanks(controller, shared);
+  const std::vector<PlaceOnRank> others = PlacesOfOtherRanks(controller, shared);
   for (std::size_t i = 0; i < shared.size(); ++i)
   {
     auto other = std::lower_bound(others.begin(), others.end(), PlaceOnRank{ shared[i], 0 });

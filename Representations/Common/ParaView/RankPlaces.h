@@ -26,7 +26,7 @@ struct SharedPlace
  * All of this rank's places that other ranks have, once for each of them, to the rounding of double: pieces of a grid share the points of their borders. Only
  * places inside the bounds of another rank are exchanged. Collective.
  */
-VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT std::vector<SharedPlace> placesOfSeveralRanks(
+VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT std::vector<SharedPlace> PlacesOfSeveralRanks(
   const std::vector<Vector3>& places);
 
 } // namespace nephoscope

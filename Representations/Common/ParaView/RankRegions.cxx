@@ -11,14 +11,14 @@ namespace nephoscope
 {
 namespace
 {
-std::size_t ownRank()
+std::size_t OwnRank()
 {
   return static_cast<std::size_t>(
     vtkMultiProcessController::GetGlobalController()->GetLocalProcessId());
 }
 } // namespace
 
-const std::vector<vtkBoundingBox>* boxesOfRanks(vtkView* view)
+const std::vector<vtkBoundingBox>* BoxesOfRanks(vtkView* view)
 {
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
   auto* manager = renderView
@@ -28,18 +28,18 @@ const std::vector<vtkBoundingBox>* boxesOfRanks(vtkView* view)
                                                                       : nullptr;
 }
 
-bool hasRegion(vtkView* view)
+bool HasRegion(vtkView* view)
 {
-  const std::vector<vtkBoundingBox>* boxes = boxesOfRanks(view);
-  return !boxes || (ownRank() < boxes->size() && (*boxes)[ownRank()].IsValid());
+  const std::vector<vtkBoundingBox>* boxes = BoxesOfRanks(view);
+  return !boxes || (OwnRank() < boxes->size() && (*boxes)[OwnRank()].IsValid());
 }
 
-RankRegion regionOfRank(vtkView* view)
+RankRegion RegionOfRank(vtkView* view)
 {
-  const std::vector<vtkBoundingBox>* boxes = boxesOfRanks(view);
-  const std::size_t rank = ownRank();
+  const std::vector<vtkBoundingBox>* boxes = BoxesOfRanks(view);
+  const std::size_t rank = OwnRank();
   RankRegion region = wholeSpace;
-  if (!boxes || !hasRegion(view))
+  if (!boxes || !HasRegion(view))
   {
     return region;
   }

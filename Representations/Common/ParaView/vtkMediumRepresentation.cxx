@@ -43,25 +43,25 @@ const char* const scalarRangeName = "NephoscopeOpacityRange";
 
 constexpr double uniformOpacity = 0.5; // under Solid Color, and where all values are the same
 
-double storedNumber(vtkDataSet* data, const char* name, vtkIdType index = 0)
+double StoredNumber(vtkDataSet* data, const char* name, vtkIdType index = 0)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
   return array && array->GetNumberOfTuples() > index ? array->GetComponent(index, 0) : 0.0;
 }
 
 // Cells keep their ids when they are cut, points do not.
-vtkSmartPointer<vtkDataSet> withIdsAsNumbers(vtkDataSet* data)
+vtkSmartPointer<vtkDataSet> WithIdsAsNumbers(vtkDataSet* data)
 {
   auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
   copy->ShallowCopy(data);
-  nephoscope::dropRolesOfIds(copy->GetCellData());
-  nephoscope::makeIdsNumbers(copy->GetPointData());
+  nephoscope::DropRolesOfIds(copy->GetCellData());
+  nephoscope::MakeIdsNumbers(copy->GetPointData());
   return copy;
 }
 
 // ParaView makes the range of equal values wider by 2.4e-4 of the value: a ramp over it is transparent at the values.
 // The ramp over one value that ParaView makes; what has more nodes somebody has chosen: 0 of rain is no rain.
-bool isOverOneValue(vtkPiecewiseFunction* function, double value)
+bool IsOverOneValue(vtkPiecewiseFunction* function, double value)
 {
   if (function->GetSize() > 2)
   {
@@ -71,7 +71,7 @@ bool isOverOneValue(vtkPiecewiseFunction* function, double value)
   return range[1] - range[0] <= 1e-3 * std::abs(value) + 1e-30;
 }
 
-vtkDataSetAttributes* attributesOf(vtkDataSet* data, int association)
+vtkDataSetAttributes* AttributesOf(vtkDataSet* data, int association)
 {
   return association == vtkDataObject::FIELD_ASSOCIATION_CELLS
     ? static_cast<vtkDataSetAttributes*>(data->GetCellData())
@@ -136,8 +136,8 @@ bool vtkMediumRepresentation::HoldsAnything(vtkDataObject* input)
 void vtkMediumRepresentation::StoreMeasures(
   vtkDataSet* data, double distance, const double range[2])
 {
-  nephoscope::storeNumbers(data, unitDistanceName, { distance });
-  nephoscope::storeNumbers(data, scalarRangeName, { range[0], range[1] });
+  nephoscope::StoreNumbers(data, unitDistanceName, { distance });
+  nephoscope::StoreNumbers(data, scalarRangeName, { range[0], range[1] });
 }
 
 // The bounds of all ranks; also called by ranks without data.
@@ -151,7 +151,7 @@ void vtkMediumRepresentation::StoreBounds()
   }
   std::vector<double> bounds(6);
   all.GetBounds(bounds.data());
-  nephoscope::storeNumbers(this->Piece, boundsName, bounds);
+  nephoscope::StoreNumbers(this->Piece, boundsName, bounds);
 }
 
 int vtkMediumRepresentation::FillInputPortInformation(int, vtkInformation* info)
@@ -176,7 +176,7 @@ void vtkMediumRepresentation::SetInputArrayToProcess(
 
 void vtkMediumRepresentation::WarnOfDisplays()
 {
-  const std::string error = nephoscope::whyRanksWait();
+  const std::string error = nephoscope::WhyRanksWait();
   if (!error.empty() && IsFirstRank())
   {
     vtkErrorMacro(<< error);
@@ -186,9 +186,9 @@ void vtkMediumRepresentation::WarnOfDisplays()
 // A filter whose output is empty because it failed has told why.
 void vtkMediumRepresentation::WarnOfEmptiness(vtkDataObject* input)
 {
-  vtkAlgorithm* producer = nephoscope::producerOfInput(this);
+  vtkAlgorithm* producer = nephoscope::ProducerOfInput(this);
   const bool isEmpty = !HoldsAnything(input);
-  if (isEmpty && !this->WasEmpty && !nephoscope::hasFailed(producer, input) && IsFirstRank())
+  if (isEmpty && !this->WasEmpty && !nephoscope::HasFailed(producer, input) && IsFirstRank())
   {
     vtkWarningMacro(<< "Nothing is drawn. " << nephoscope::whyEmpty);
   }
@@ -207,7 +207,7 @@ int vtkMediumRepresentation::RequestData(
     this->FinishPiece();
     if (GetNumberOfRanks() > 1 && this->Piece)
     {
-      this->Piece = withIdsAsNumbers(this->Piece);
+      this->Piece = WithIdsAsNumbers(this->Piece);
     }
     this->HasPiece = HoldsAnything(this->Piece);
     this->WarnOfMissingArray();
@@ -285,11 +285,11 @@ void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
   {
     this->ColorUniformly(data);
   }
-  const double automatic = storedNumber(data, unitDistanceName);
+  const double automatic = StoredNumber(data, unitDistanceName);
   double bounds[6];
   for (vtkIdType i = 0; i < 6; ++i)
   {
-    bounds[i] = storedNumber(data, boundsName, i);
+    bounds[i] = StoredNumber(data, boundsName, i);
   }
   static_cast<vtkMediumVolume*>(this->Actor.Get())->SetSeenBounds(bounds);
   const vtkBoundingBox all(bounds);
@@ -307,14 +307,14 @@ void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
 vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, const char* name)
 {
   vtkPiecewiseFunction* opacity = this->Property->GetScalarOpacity();
-  const double value = storedNumber(data, scalarRangeName);
+  const double value = StoredNumber(data, scalarRangeName);
   const bool constant = data->GetFieldData()->HasArray(scalarRangeName) &&
-    value == storedNumber(data, scalarRangeName, 1);
+    value == StoredNumber(data, scalarRangeName, 1);
   vtkDataArray* lit =
     this->FindExtinctionOfLight(data); // which decides then how opaque the medium is
   const bool invisible =
     !lit && constant && opacity->GetSize() > 0 && !(opacity->GetValue(value) > 0.0);
-  const bool uniform = invisible && isOverOneValue(opacity, value);
+  const bool uniform = invisible && IsOverOneValue(opacity, value);
   const std::string read = this->GetOpacityArrayName().empty() ? name : this->GetOpacityArrayName();
   std::ostringstream warning;
   if (invisible && !uniform)
@@ -362,8 +362,8 @@ vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, con
 std::string vtkMediumRepresentation::WhyTransparent(
   vtkDataSet* data, vtkPiecewiseFunction* opacity) const
 {
-  const double low = storedNumber(data, scalarRangeName);
-  const double high = storedNumber(data, scalarRangeName, 1);
+  const double low = StoredNumber(data, scalarRangeName);
+  const double high = StoredNumber(data, scalarRangeName, 1);
   const double* range = opacity->GetRange();
   const bool outside = low < high && (high <= range[0] || low >= range[1]);
   if (this->GetOpacityArrayName().empty() || opacity->GetSize() == 0 || !outside ||
@@ -393,7 +393,7 @@ vtkDataArray* vtkMediumRepresentation::FindColorArray(
   }
   name = info->Get(vtkDataObject::FIELD_NAME());
   association = this->GetAssociationInPiece(info->Get(vtkDataObject::FIELD_ASSOCIATION()));
-  return name && name[0] ? attributesOf(data, association)->GetArray(name) : nullptr;
+  return name && name[0] ? AttributesOf(data, association)->GetArray(name) : nullptr;
 }
 
 std::string vtkMediumRepresentation::GetOpacityArrayName() const
@@ -407,7 +407,7 @@ vtkDataArray* vtkMediumRepresentation::FindOpacityArray(vtkDataSet* data, int& a
   for (const int at :
     { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
   {
-    vtkDataArray* array = attributesOf(data, at)->GetArray(chosen.c_str());
+    vtkDataArray* array = AttributesOf(data, at)->GetArray(chosen.c_str());
     if (array && !chosen.empty())
     {
       association = at;
@@ -440,7 +440,7 @@ void vtkMediumRepresentation::ColorUniformly(vtkDataSet* data)
     ones->FillValue(1);
     this->UniformData.TakeReference(data->NewInstance());
     this->UniformData->ShallowCopy(data);
-    attributesOf(this->UniformData, association)->AddArray(ones);
+    AttributesOf(this->UniformData, association)->AddArray(ones);
     this->UniformDataSource = data;
     this->UniformDataTime = data->GetMTime();
   }

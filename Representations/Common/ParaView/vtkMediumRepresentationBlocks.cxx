@@ -27,7 +27,7 @@ vtkSmartPointer<vtkDataObject> vtkMediumRepresentation::KeepDrawnBlocks(vtkDataO
   std::string message;
   for (const nephoscope::ArrayOfBlocks& array : arrays)
   {
-    const nephoscope::DrawnBlocks drawn = nephoscope::blocksWith(
+    const nephoscope::DrawnBlocks drawn = nephoscope::BlocksWith(
       array, data, [this](vtkDataObject* block) { return this->DrawsBlock(block); },
       [](bool here) { return MinimumOverRanks(here ? 0 : 1) == 0; });
     data = drawn.Data;

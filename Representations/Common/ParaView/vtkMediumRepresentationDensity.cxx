@@ -20,7 +20,7 @@
 namespace
 {
 // Extinction is the density itself: a straight line through 0, up to the largest density there is.
-void followDensity(vtkPiecewiseFunction* opacity, double largest, double opacityThere)
+void SetOpacityByDensity(vtkPiecewiseFunction* opacity, double largest, double opacityThere)
 {
   if (opacity->GetSize() != 2 || opacity->GetRange()[1] != largest ||
     opacity->GetValue(largest) != opacityThere)
@@ -59,7 +59,7 @@ void vtkMediumRepresentation::FollowDensity(vtkDataArray* density, bool isExtinc
   double range[2];
   density->GetFiniteRange(range);
   const double largest = range[1] > 0.0 ? range[1] : 1.0;
-  followDensity(this->DensityOpacity, largest, isExtinction ? 1.0 : largest);
+  SetOpacityByDensity(this->DensityOpacity, largest, isExtinction ? 1.0 : largest);
   this->DensityProperty->SetScalarOpacity(this->DensityOpacity);
   this->DensityProperty->SetScalarOpacityUnitDistance(
     isExtinction ? 1.0 / largest : this->ActualUnitDistance);

@@ -17,7 +17,7 @@ namespace
 {
 const char* const movedName = "NephoscopeMoved";
 
-void copyPlacement(vtkProp3D* from, vtkProp3D* to)
+void CopyPlacement(vtkProp3D* from, vtkProp3D* to)
 {
   to->SetOrigin(from->GetOrigin());
   to->SetPosition(from->GetPosition());
@@ -52,9 +52,9 @@ void vtkMediumRepresentation::SetScale(double x, double y, double z)
 
 void vtkMediumRepresentation::FollowPlacement()
 {
-  copyPlacement(this->Placement, this->Actor);
+  CopyPlacement(this->Placement, this->Actor);
   if (GetNumberOfRanks() > 1 &&
-    (this->HasMovedPiece || nephoscope::turnsOrShifts(this->Placement->GetMatrix())))
+    (this->HasMovedPiece || nephoscope::TurnsOrShifts(this->Placement->GetMatrix())))
   {
     this->MarkModified();
   }
@@ -63,21 +63,21 @@ void vtkMediumRepresentation::FollowPlacement()
 void vtkMediumRepresentation::PlacePiece()
 {
   vtkMatrix4x4* matrix = this->Placement->GetMatrix();
-  this->HasMovedPiece = GetNumberOfRanks() > 1 && nephoscope::turnsOrShifts(matrix);
+  this->HasMovedPiece = GetNumberOfRanks() > 1 && nephoscope::TurnsOrShifts(matrix);
   if (this->HasMovedPiece)
   {
     this->MovePiece(matrix);
-    nephoscope::storeNumbers(this->Piece, movedName, { 1.0 });
+    nephoscope::StoreNumbers(this->Piece, movedName, { 1.0 });
   }
   this->PlaceActor(this->Piece);
 }
 
 void vtkMediumRepresentation::MovePiece(vtkMatrix4x4* matrix)
 {
-  this->Piece = nephoscope::movedData(this->Piece, matrix);
+  this->Piece = nephoscope::MovedData(this->Piece, matrix);
   if (vtkMath::AreBoundsInitialized(this->DataBounds))
   {
-    nephoscope::moveBounds(this->DataBounds, matrix);
+    nephoscope::MoveBounds(this->DataBounds, matrix);
   }
 }
 
@@ -86,5 +86,5 @@ void vtkMediumRepresentation::PlaceActor(vtkDataSet* data)
 {
   const bool moved = data->GetFieldData()->HasArray(movedName);
   vtkNew<vtkActor> nowhere;
-  copyPlacement(moved ? nowhere : this->Placement, this->Actor);
+  CopyPlacement(moved ? nowhere : this->Placement, this->Actor);
 }

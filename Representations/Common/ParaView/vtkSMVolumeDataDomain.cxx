@@ -27,7 +27,7 @@ int vtkSMVolumeDataDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLEl
 namespace
 {
 // In a plane across an axis, as 2-D adaptive meshes are.
-bool isFlat(vtkPVDataInformation* data)
+bool IsFlat(vtkPVDataInformation* data)
 {
   const double* bounds = data->GetBounds();
   return bounds[0] == bounds[1] || bounds[2] == bounds[3] || bounds[4] == bounds[5];
@@ -45,7 +45,7 @@ bool vtkSMVolumeDataDomain::MayHoldVolumes(vtkPVDataInformation* data)
     const std::vector<int>& types = data->GetUniqueBlockTypes();
     const bool mayHold = types.empty() ||
       std::any_of(types.begin(), types.end(), [](int type) { return type != VTK_POLY_DATA; });
-    return mayHold && !isFlat(data);
+    return mayHold && !IsFlat(data);
   }
   if (data->IsDataStructured())
   {
@@ -54,7 +54,7 @@ bool vtkSMVolumeDataDomain::MayHoldVolumes(vtkPVDataInformation* data)
   }
   if (data->DataSetTypeIsA(VTK_HYPER_TREE_GRID))
   {
-    return !isFlat(data);
+    return !IsFlat(data);
   }
   return !data->DataSetTypeIsA(VTK_POLY_DATA);
 }

@@ -15,7 +15,7 @@ const MediumBounds cube = { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } };
 
 // Cubes of a lattice that fill the frame, with a scalar at their middles, which is the opacity, too.
 template <typename Scalar>
-MediumMeasures measureLattice(int count, const Scalar& scalar)
+MediumMeasures MeasureLattice(int count, const Scalar& scalar)
 {
   MediumMeasures measures;
   const double edge = 2.0 / count;
@@ -31,7 +31,7 @@ MediumMeasures measureLattice(int count, const Scalar& scalar)
   return measures;
 }
 
-double gaussian(double sigma, double x, double y, double z)
+double Gaussian(double sigma, double x, double y, double z)
 {
   return std::exp(-0.5 * (x * x + y * y + z * z) / (sigma * sigma));
 }
@@ -42,9 +42,9 @@ TEST(MediumMeasures, SpreadMediumHasMeanOpticalDepth2)
   for (const int count : { 1, 3, 10, 32, 50 }) // pixels of the projections need not match the cells
   {
     const MediumMeasures measures =
-      measureLattice(count, [](double, double, double) { return 1.0; });
+      MeasureLattice(count, [](double, double, double) { return 1.0; });
     EXPECT_NEAR(measures.Projections.Localization(), 1.0, 1e-9) << count;
-    EXPECT_NEAR(defaultUnitDistance(measures, cube, false), 4.0 / 3.0 / 2.0, 1e-9) << count;
+    EXPECT_NEAR(DefaultUnitDistance(measures, cube, false), 4.0 / 3.0 / 2.0, 1e-9) << count;
   }
 }
 
@@ -54,43 +54,43 @@ TEST(MediumMeasures, SmallDenseMediumIsAsInClosedForm)
   for (const double sigma : { 0.15, 0.2, 0.25, 0.3 })
   {
     const MediumMeasures measures =
-      measureLattice(50, [=](double x, double y, double z) { return gaussian(sigma, x, y, z); });
+      MeasureLattice(50, [=](double x, double y, double z) { return Gaussian(sigma, x, y, z); });
     const double localization = 1.0 / (M_PI * sigma * sigma);
     EXPECT_NEAR(measures.Projections.Localization() / localization, 1.0, 0.03) << sigma;
     const double mean = std::pow(2.0 * M_PI, 1.5) * std::pow(sigma, 3) / 8.0;
     const double distance = 4.0 / 3.0 * mean / meanOpticalDepth * localization / localOpticalDepth;
-    EXPECT_NEAR(defaultUnitDistance(measures, cube, false) / distance, 1.0, 0.03) << sigma;
+    EXPECT_NEAR(DefaultUnitDistance(measures, cube, false) / distance, 1.0, 0.03) << sigma;
   }
 }
 
 TEST(MediumMeasures, LayerIsSpreadSeenFromAbove)
 {
   const MediumMeasures measures =
-    measureLattice(20, [](double, double y, double) { return std::abs(y) < 0.1 ? 1.0 : 0.0; });
+    MeasureLattice(20, [](double, double y, double) { return std::abs(y) < 0.1 ? 1.0 : 0.0; });
   EXPECT_NEAR(measures.Projections.Localization(), 1.0, 1e-9);
 }
 
 TEST(MediumMeasures, RampIsTheOpacityOfTheRange)
 {
   const auto scalar = [](double x, double y, double z) {
-    return 200.0 + 100.0 * gaussian(0.2, x, y, z);
+    return 200.0 + 100.0 * Gaussian(0.2, x, y, z);
   };
-  const auto opacity = [](double x, double y, double z) { return gaussian(0.2, x, y, z); };
-  MediumMeasures ramp = measureLattice(20, scalar);
+  const auto opacity = [](double x, double y, double z) { return Gaussian(0.2, x, y, z); };
+  MediumMeasures ramp = MeasureLattice(20, scalar);
   ramp.ScalarRange[0] = 200.0;
   ramp.ScalarRange[1] = 300.0;
-  const double expected = defaultUnitDistance(measureLattice(20, opacity), cube, false);
-  EXPECT_NEAR(defaultUnitDistance(ramp, cube, true) / expected, 1.0, 1e-9);
+  const double expected = DefaultUnitDistance(MeasureLattice(20, opacity), cube, false);
+  EXPECT_NEAR(DefaultUnitDistance(ramp, cube, true) / expected, 1.0, 1e-9);
 }
 
 TEST(MediumMeasures, WhatIsNotFiniteIsNotOpaque)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   MediumMeasures measures =
-    measureLattice(10, [=](double x, double, double) { return x < 0.0 ? nan : 300.0; });
+    MeasureLattice(10, [=](double x, double, double) { return x < 0.0 ? nan : 300.0; });
   measures.ScalarRange[0] = 200.0;
   measures.ScalarRange[1] = 300.0;
-  EXPECT_NEAR(meanRamp(measures), 0.5, 1e-9);
+  EXPECT_NEAR(MeanRamp(measures), 0.5, 1e-9);
   EXPECT_TRUE(std::isfinite(measures.Projections.Localization(measures.ScalarRange)));
 }
 
@@ -105,19 +105,19 @@ TEST(MediumMeasures, PartsOutsideOfTheFrameCountAtItsBorder)
 TEST(MediumMeasures, SumsOverProcessesAreThoseOfOne)
 {
   const auto left = [](double x, double y, double z) {
-    return x < 0.0 ? gaussian(0.3, x, y, z) : 0.0;
+    return x < 0.0 ? Gaussian(0.3, x, y, z) : 0.0;
   };
   const auto right = [](double x, double y, double z) {
-    return x < 0.0 ? 0.0 : gaussian(0.3, x, y, z);
+    return x < 0.0 ? 0.0 : Gaussian(0.3, x, y, z);
   };
-  MediumProjections sum = measureLattice(16, left).Projections;
-  const MediumProjections other = measureLattice(16, right).Projections;
+  MediumProjections sum = MeasureLattice(16, left).Projections;
+  const MediumProjections other = MeasureLattice(16, right).Projections;
   for (std::size_t i = 0; i < sum.GetPixels().size(); ++i)
   {
     sum.GetPixels()[i] += other.GetPixels()[i];
   }
-  const double whole = measureLattice(16, [](double x, double y, double z) {
-    return gaussian(0.3, x, y, z);
+  const double whole = MeasureLattice(16, [](double x, double y, double z) {
+    return Gaussian(0.3, x, y, z);
   }).Projections.Localization();
   EXPECT_NEAR(sum.Localization() / whole, 1.0, 1e-9);
 }

@@ -15,7 +15,7 @@ namespace nephoscope
 {
 namespace
 {
-vtkDataArray* arrayOf(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
+vtkDataArray* ArrayOf(vtkFieldData* data, const char* name, int components, vtkIdType tuples)
 {
   vtkDataArray* array = data->GetArray(name);
   const bool fits =
@@ -32,10 +32,10 @@ CameraLight::CameraLight(vtkDataSet* data, vtkDataArray* colors)
     return;
   }
   const vtkIdType points = data->GetNumberOfPoints();
-  vtkDataArray* single = arrayOf(data->GetPointData(), "SingleScattering", 2, points);
-  vtkDataArray* flux = arrayOf(data->GetPointData(), "DiffuseFlux", 3, points);
-  vtkDataArray* phase = arrayOf(data->GetFieldData(), "PhaseFunction", 2, 2);
-  vtkDataArray* sun = arrayOf(data->GetFieldData(), "SunDirection", 3, 1);
+  vtkDataArray* single = ArrayOf(data->GetPointData(), "SingleScattering", 2, points);
+  vtkDataArray* flux = ArrayOf(data->GetPointData(), "DiffuseFlux", 3, points);
+  vtkDataArray* phase = ArrayOf(data->GetFieldData(), "PhaseFunction", 2, 2);
+  vtkDataArray* sun = ArrayOf(data->GetFieldData(), "SunDirection", 3, 1);
   if (!single || !flux || !phase || !sun)
   {
     return;
@@ -49,11 +49,11 @@ CameraLight::CameraLight(vtkDataSet* data, vtkDataArray* colors)
   this->Single = single;
   this->Flux = flux;
   this->Phase = phase;
-  this->Moment = arrayOf(data->GetPointData(), "DiffuseSecondMoment", 1, points);
+  this->Moment = ArrayOf(data->GetPointData(), "DiffuseSecondMoment", 1, points);
   this->Times = { { single->GetMTime(), flux->GetMTime(), phase->GetMTime(),
     this->Moment ? this->Moment->GetMTime() : 0 } };
-  vtkDataArray* up = arrayOf(data->GetFieldData(), "Up", 3, 1);
-  this->Ground = planetOf(data,
+  vtkDataArray* up = ArrayOf(data->GetFieldData(), "Up", 3, 1);
+  this->Ground = FindPlanet(data,
     up ? Vector3{ { up->GetComponent(0, 0), up->GetComponent(0, 1), up->GetComponent(0, 2) } }
        : Vector3{ { 0, 0, 1 } });
   if (this->Moment && this->Ground.Radius > 0)

@@ -25,7 +25,7 @@ namespace
 {
 constexpr int mostPlanes = 64; // for which every OpenGL has uniforms
 
-int numberOfPlanes(vtkAbstractMapper* mapper)
+int NumberOfPlanes(vtkAbstractMapper* mapper)
 {
   return mapper->GetClippingPlanes() ? mapper->GetClippingPlanes()->GetNumberOfItems() : 0;
 }
@@ -33,7 +33,7 @@ int numberOfPlanes(vtkAbstractMapper* mapper)
 
 std::string ClippingPlanes::Check(vtkAbstractMapper* mapper)
 {
-  const int count = numberOfPlanes(mapper);
+  const int count = NumberOfPlanes(mapper);
   if (count > mostPlanes)
   {
     return "There are " + std::to_string(count) + " clipping planes, but at most " +
@@ -89,7 +89,7 @@ ClippingPlanes::Plane ClippingPlanes::ToView(
 
 ClippingPlanes::ClippingPlanes(vtkAbstractMapper* mapper, vtkRenderer* renderer)
 {
-  const int count = numberOfPlanes(mapper);
+  const int count = NumberOfPlanes(mapper);
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
   if (count == 0 || !camera)
   {

@@ -17,7 +17,7 @@ namespace nephoscope
 {
 namespace
 {
-GLint depthAttachment(GLenum name)
+GLint DepthAttachment(GLenum name)
 {
   GLint value = 0;
   glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, name, &value);
@@ -32,10 +32,10 @@ DepthSamples DepthSamples::OfDrawFramebuffer()
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &binding);
   glGetIntegerv(GL_SAMPLES, &samples.Count);
   if (binding != 0 && samples.Count > 1 &&
-    depthAttachment(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_TEXTURE)
+    DepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_TEXTURE)
   {
     samples.Texture =
-      static_cast<unsigned int>(depthAttachment(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+      static_cast<unsigned int>(DepthAttachment(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
   }
   return samples;
 }

@@ -13,7 +13,7 @@ namespace nephoscope
 {
 namespace
 {
-GLint attachmentParameter(GLenum attachment, GLenum name)
+GLint AttachmentParameter(GLenum attachment, GLenum name)
 {
   GLint value = 0;
   glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
@@ -21,7 +21,7 @@ GLint attachmentParameter(GLenum attachment, GLenum name)
 }
 
 // From the lower left pixel of a framebuffer's region to a region of the bound one, of the same size.
-void blitDepth(GLuint source, const int corner[2], const int region[4])
+void BlitDepth(GLuint source, const int corner[2], const int region[4])
 {
   GLint destination = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &destination);
@@ -31,7 +31,7 @@ void blitDepth(GLuint source, const int corner[2], const int region[4])
   glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(destination));
 }
 
-int depthTextureFormat(int bits, int type)
+int DepthTextureFormat(int bits, int type)
 {
   if (type == GL_FLOAT)
   {
@@ -55,11 +55,11 @@ OpaqueDepth::Format OpaqueDepth::DrawFramebufferFormat()
   const GLenum depth = binding ? GL_DEPTH_ATTACHMENT : GL_DEPTH;
   const GLenum stencil = binding ? GL_STENCIL_ATTACHMENT : GL_STENCIL;
   Format format;
-  format.Bits = attachmentParameter(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-  format.Type = attachmentParameter(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE);
-  if (attachmentParameter(stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE)
+  format.Bits = AttachmentParameter(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+  format.Type = AttachmentParameter(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE);
+  if (AttachmentParameter(stencil, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE)
   {
-    format.StencilBits = attachmentParameter(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
+    format.StencilBits = AttachmentParameter(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
   }
   return format;
 }
@@ -92,7 +92,7 @@ void OpaqueDepth::AllocateTexture(
   }
   else
   {
-    texture->AllocateDepth(width, height, depthTextureFormat(format.Bits, format.Type));
+    texture->AllocateDepth(width, height, DepthTextureFormat(format.Bits, format.Type));
   }
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
@@ -126,7 +126,7 @@ void OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int viewport[4], con
   }
   if (!samples.Texture || !this->Mean.Draw(window, samples, corner, part))
   {
-    blitDepth(static_cast<GLuint>(source), corner, part);
+    BlitDepth(static_cast<GLuint>(source), corner, part);
   }
   state->PopFramebufferBindings();
 }

@@ -31,7 +31,7 @@ struct SceneView
 
 // The point where all rays meet, (x, y, z, 1), or the direction towards the eye with the length of a unit in view
 // coordinates, (x, y, z, 0). `clip` maps coordinates to homogeneous device coordinates.
-inline Vector4 findEye(vtkMatrix4x4* clip)
+inline Vector4 FindEye(vtkMatrix4x4* clip)
 {
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Invert(clip, inverse);
@@ -41,7 +41,7 @@ inline Vector4 findEye(vtkMatrix4x4* clip)
   return { { e[0], e[1], e[2], e[3] } };
 }
 
-inline bool isParallel(vtkMatrix4x4* viewToDevice)
+inline bool IsParallelProjection(vtkMatrix4x4* viewToDevice)
 {
   return viewToDevice->GetElement(3, 0) == 0 && viewToDevice->GetElement(3, 1) == 0 &&
     viewToDevice->GetElement(3, 2) == 0;
@@ -49,7 +49,7 @@ inline bool isParallel(vtkMatrix4x4* viewToDevice)
 
 /** For shaders: a depth in [0, 1] is at z = (x + y e) / (z + w e) in view coordinates, where e = 1 - depth: counted from the far plane, where
  * most depths lie in a perspective projection, nothing cancels in float. */
-inline std::array<float, 4> depthToView(vtkMatrix4x4* viewToDevice)
+inline std::array<float, 4> DepthToViewOf(vtkMatrix4x4* viewToDevice)
 {
   const double m22 = viewToDevice->GetElement(2, 2);
   const double m23 = viewToDevice->GetElement(2, 3);
@@ -93,8 +93,8 @@ struct ViewState
 private:
   void FindEyes()
   {
-    Vector4 eyeView = findEye(this->ViewToDevice);
-    const bool parallel = isParallel(this->ViewToDevice);
+    Vector4 eyeView = FindEye(this->ViewToDevice);
+    const bool parallel = IsParallelProjection(this->ViewToDevice);
     const double scale = parallel
       ? 1.0 / std::sqrt(eyeView[0] * eyeView[0] + eyeView[1] * eyeView[1] + eyeView[2] * eyeView[2])
       : 1.0 / eyeView[3];

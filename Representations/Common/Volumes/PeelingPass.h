@@ -15,7 +15,7 @@ namespace nephoscope
 
 /** Calls work(pass) for every render pass that has left its key with the prop. */
 template <typename Work>
-void forEachPass(vtkProp* prop, Work work)
+void ForEachPass(vtkProp* prop, Work work)
 {
   vtkInformation* keys = prop->GetPropertyKeys();
   vtkInformationObjectBaseVectorKey* key = vtkOpenGLRenderPass::RenderPasses();
@@ -30,10 +30,10 @@ void forEachPass(vtkProp* prop, Work work)
 }
 
 /** The pass that peels this prop; null where none does. */
-inline vtkDualDepthPeelingPass* peelingPass(vtkProp* prop)
+inline vtkDualDepthPeelingPass* PeelingPass(vtkProp* prop)
 {
   vtkDualDepthPeelingPass* found = nullptr;
-  forEachPass(prop, [&](vtkOpenGLRenderPass* pass) {
+  ForEachPass(prop, [&](vtkOpenGLRenderPass* pass) {
     if (auto* peeling = vtkDualDepthPeelingPass::SafeDownCast(pass))
     {
       found = peeling;

@@ -29,14 +29,14 @@ namespace nephoscope
 {
 namespace
 {
-vtkInformationDoubleVectorKey* sunKey()
+vtkInformationDoubleVectorKey* SunKey()
 {
   static vtkInformationDoubleVectorKey* const key =
     vtkInformationDoubleVectorKey::MakeKey("SUN", "nephoscope", 3);
   return key;
 }
 
-double greatestIn(vtkDataObject* data, const char* name, double greatest)
+double GreatestIn(vtkDataObject* data, const char* name, double greatest)
 {
   vtkDataArray* array = data->GetFieldData() ? data->GetFieldData()->GetArray(name) : nullptr;
   if (array && array->GetNumberOfTuples() > 0 && array->GetNumberOfComponents() > 0)
@@ -48,13 +48,13 @@ double greatestIn(vtkDataObject* data, const char* name, double greatest)
     auto blocks = vtk::TakeSmartPointer(composite->NewIterator());
     for (blocks->InitTraversal(); !blocks->IsDoneWithTraversal(); blocks->GoToNextItem())
     {
-      greatest = greatestIn(blocks->GetCurrentDataObject(), name, greatest);
+      greatest = GreatestIn(blocks->GetCurrentDataObject(), name, greatest);
     }
   }
   return greatest;
 }
 
-vtkAlgorithm* mapperOf(vtkProp* prop)
+vtkAlgorithm* MapperOf(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* volume = vtkVolume::SafeDownCast(prop);
@@ -64,7 +64,7 @@ vtkAlgorithm* mapperOf(vtkProp* prop)
 }
 }
 
-void setSunOf(vtkRenderer* renderer, const double* towardsSun)
+void SetSunOf(vtkRenderer* renderer, const double* towardsSun)
 {
   vtkNew<vtkInformation> empty;
   if (!renderer->GetInformation())
@@ -73,18 +73,18 @@ void setSunOf(vtkRenderer* renderer, const double* towardsSun)
   }
   if (towardsSun)
   {
-    renderer->GetInformation()->Set(sunKey(), towardsSun, 3);
+    renderer->GetInformation()->Set(SunKey(), towardsSun, 3);
   }
   else
   {
-    renderer->GetInformation()->Remove(sunKey());
+    renderer->GetInformation()->Remove(SunKey());
   }
 }
 
-bool findSunOf(vtkRenderer* renderer, double towardsSun[3])
+bool FindSunOf(vtkRenderer* renderer, double towardsSun[3])
 {
   vtkInformation* information = renderer->GetInformation();
-  const double* found = information ? information->Get(sunKey()) : nullptr;
+  const double* found = information ? information->Get(SunKey()) : nullptr;
   if (found)
   {
     std::copy_n(found, 3, towardsSun);
@@ -92,22 +92,22 @@ bool findSunOf(vtkRenderer* renderer, double towardsSun[3])
   return found != nullptr;
 }
 
-double greatestFieldValue(vtkRenderer* renderer, const char* name, double otherwise)
+double GreatestFieldValue(vtkRenderer* renderer, const char* name, double otherwise)
 {
   vtkCollectionSimpleIterator iterator;
   renderer->GetViewProps()->InitTraversal(iterator);
   while (vtkProp* prop = renderer->GetViewProps()->GetNextProp(iterator))
   {
-    vtkAlgorithm* mapper = prop->GetVisibility() ? mapperOf(prop) : nullptr;
+    vtkAlgorithm* mapper = prop->GetVisibility() ? MapperOf(prop) : nullptr;
     vtkDataObject* data = mapper && mapper->GetNumberOfInputConnections(0) > 0
       ? mapper->GetInputDataObject(0, 0)
       : nullptr;
-    otherwise = data ? greatestIn(data, name, otherwise) : otherwise;
+    otherwise = data ? GreatestIn(data, name, otherwise) : otherwise;
   }
   return otherwise;
 }
 
-bool hasVolumesWithout(vtkRenderer* renderer, const char* array)
+bool HasVolumesWithout(vtkRenderer* renderer, const char* array)
 {
   bool hasVolumes = false;
   vtkCollectionSimpleIterator iterator;

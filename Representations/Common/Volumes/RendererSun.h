@@ -11,18 +11,18 @@ class vtkRenderer;
 namespace nephoscope
 {
 /** Three components, towards the sun, in coordinates of the scene; null: no sun. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void setSunOf(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT void SetSunOf(
   vtkRenderer* renderer, const double* towardsSun);
 /** False: it has none. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool findSunOf(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool FindSunOf(
   vtkRenderer* renderer, double towardsSun[3]);
 
 /** The greatest first number of field arrays of this name in the data that are visible, and their blocks; `otherwise`, if that is greater or there is none. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double greatestFieldValue(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT double GreatestFieldValue(
   vtkRenderer* renderer, const char* name, double otherwise);
 
 /** Whether volumes of these mappers are visible, and the data of none of them have this array, at points or cells. */
-VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool hasVolumesWithout(
+VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT bool HasVolumesWithout(
   vtkRenderer* renderer, const char* array);
 }
 

@@ -36,28 +36,28 @@ using Parts = std::map<vtkAbstractVolumeMapper*, Enrolled>;
 
 std::mutex partsMutex;
 
-Parts& allParts() // lives as long as the last mapper
+Parts& AllParts() // lives as long as the last mapper
 {
   static auto* parts = new Parts;
   return *parts;
 }
 
-const VolumeOrder::Part* partOf(vtkAbstractVolumeMapper* mapper)
+const VolumeOrder::Part* PartOf(vtkAbstractVolumeMapper* mapper)
 {
   const std::lock_guard<std::mutex> lock(partsMutex);
-  const auto found = allParts().find(mapper);
-  return found == allParts().end() ? nullptr : &found->second.Part;
+  const auto found = AllParts().find(mapper);
+  return found == AllParts().end() ? nullptr : &found->second.Part;
 }
 
-const VolumeOrder::Part* partOf(vtkVolume* volume)
+const VolumeOrder::Part* PartOf(vtkVolume* volume)
 {
-  return partOf(volume->GetMapper());
+  return PartOf(volume->GetMapper());
 }
 
-VolumeSlices& slicesOf(vtkVolume* volume)
+VolumeSlices& SlicesOf(vtkVolume* volume)
 {
   const std::lock_guard<std::mutex> lock(partsMutex);
-  std::shared_ptr<VolumeSlices>& slices = allParts()[volume->GetMapper()].Slices;
+  std::shared_ptr<VolumeSlices>& slices = AllParts()[volume->GetMapper()].Slices;
   if (!slices)
   {
     slices = std::make_shared<VolumeSlices>();
@@ -66,7 +66,7 @@ VolumeSlices& slicesOf(vtkVolume* volume)
 }
 
 // GetBounds() of a mapper may point to what the next call changes.
-std::array<double, 6> boxOf(vtkProp3D* prop)
+std::array<double, 6> BoxOf(vtkProp3D* prop)
 {
   std::array<double, 6> box;
   std::copy_n(prop->GetBounds(), 6, box.begin());
@@ -74,20 +74,20 @@ std::array<double, 6> boxOf(vtkProp3D* prop)
 }
 
 /** Whether all of them are drawn as one medium. */
-bool areMedium(vtkRenderer* renderer, const Volumes& volumes)
+bool AreMedium(vtkRenderer* renderer, const Volumes& volumes)
 {
   return std::all_of(volumes.begin(), volumes.end(), [&](vtkVolume* volume) {
-    return partOf(volume)->Mixes(renderer, volume) >= std::max<std::size_t>(volumes.size(), 2);
+    return PartOf(volume)->Mixes(renderer, volume) >= std::max<std::size_t>(volumes.size(), 2);
   });
 }
 
-bool maySlice(const Volumes& volumes)
+bool MaySlice(const Volumes& volumes)
 {
   return std::all_of(volumes.begin(), volumes.end(),
-    [](vtkVolume* volume) { return partOf(volume)->MayBeSliced(); });
+    [](vtkVolume* volume) { return PartOf(volume)->MayBeSliced(); });
 }
 
-Volumes drawnVolumes(vtkRenderer* renderer)
+Volumes DrawnVolumes(vtkRenderer* renderer)
 {
   Volumes volumes;
   vtkCollectionSimpleIterator place;
@@ -96,7 +96,7 @@ Volumes drawnVolumes(vtkRenderer* renderer)
   while (vtkProp* prop = props->GetNextProp(place))
   {
     auto* volume = vtkVolume::SafeDownCast(prop);
-    if (volume && partOf(volume) && VolumeOrder::IsDrawn(volume))
+    if (volume && PartOf(volume) && VolumeOrder::IsDrawn(volume))
     {
       volumes.push_back(volume);
     }
@@ -105,7 +105,7 @@ Volumes drawnVolumes(vtkRenderer* renderer)
 }
 
 /** -1: the low side of an axis is in front, 1: the high side; 0: no ray meets both. `low` and `high` bound a gap. */
-int sideInFront(vtkCamera* camera, int axis, double low, double high)
+int SideInFront(vtkCamera* camera, int axis, double low, double high)
 {
   const double eye = camera->GetPosition()[axis];
   const double towardsEye = -camera->GetDirectionOfProjection()[axis];
@@ -116,10 +116,10 @@ int sideInFront(vtkCamera* camera, int axis, double low, double high)
   return eye >= high ? 1 : eye <= low ? -1 : 0;
 }
 
-bool isBehind(vtkCamera* camera, vtkProp3D* a, vtkProp3D* b)
+bool IsBehind(vtkCamera* camera, vtkProp3D* a, vtkProp3D* b)
 {
-  const std::array<double, 6> boxA = boxOf(a);
-  const std::array<double, 6> boxB = boxOf(b);
+  const std::array<double, 6> boxA = BoxOf(a);
+  const std::array<double, 6> boxB = BoxOf(b);
   bool behind = false;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -128,7 +128,7 @@ bool isBehind(vtkCamera* camera, vtkProp3D* a, vtkProp3D* b)
     if (aHigh <= bLow || bHigh <= aLow)
     {
       const bool aIsLow = aHigh <= bLow;
-      const int front = sideInFront(camera, axis, aIsLow ? aHigh : bHigh, aIsLow ? bLow : aLow);
+      const int front = SideInFront(camera, axis, aIsLow ? aHigh : bHigh, aIsLow ? bLow : aLow);
       if ((front == 1) != aIsLow || front == 0)
       {
         return false;
@@ -140,7 +140,7 @@ bool isBehind(vtkCamera* camera, vtkProp3D* a, vtkProp3D* b)
 }
 
 /** Volumes that overlap in space and cannot be one medium, together; each group once. */
-std::vector<Volumes> groupsOf(vtkRenderer* renderer, Volumes volumes)
+std::vector<Volumes> GroupsOf(vtkRenderer* renderer, Volumes volumes)
 {
   std::vector<Volumes> groups;
   while (!volumes.empty())
@@ -156,7 +156,7 @@ std::vector<Volumes> groupsOf(vtkRenderer* renderer, Volumes volumes)
       group.insert(group.end(), met, volumes.end());
       volumes.erase(met, volumes.end());
     }
-    if (areMedium(renderer, group) || !maySlice(group)) // as a medium, its first volume draws all
+    if (AreMedium(renderer, group) || !MaySlice(group)) // as a medium, its first volume draws all
     {
       for (vtkVolume* member : group)
       {
@@ -171,23 +171,23 @@ std::vector<Volumes> groupsOf(vtkRenderer* renderer, Volumes volumes)
   return groups;
 }
 
-bool isBehind(vtkCamera* camera, const Volumes& a, const Volumes& b)
+bool IsBehind(vtkCamera* camera, const Volumes& a, const Volumes& b)
 {
   return std::any_of(a.begin(), a.end(), [&](vtkVolume* one) {
     return std::any_of(
-      b.begin(), b.end(), [&](vtkVolume* other) { return isBehind(camera, one, other); });
+      b.begin(), b.end(), [&](vtkVolume* other) { return IsBehind(camera, one, other); });
   });
 }
 
 /** From back to front; where boxes surround one another in a circle, in the order of adding. */
-std::vector<Volumes> sorted(vtkCamera* camera, std::vector<Volumes> groups)
+std::vector<Volumes> Sorted(vtkCamera* camera, std::vector<Volumes> groups)
 {
   std::vector<Volumes> order;
   while (!groups.empty())
   {
     auto next = std::find_if(groups.begin(), groups.end(), [&](const Volumes& group) {
       return std::none_of(groups.begin(), groups.end(),
-        [&](const Volumes& other) { return &other != &group && isBehind(camera, other, group); });
+        [&](const Volumes& other) { return &other != &group && IsBehind(camera, other, group); });
     });
     next = next == groups.end() ? groups.begin() : next;
     order.push_back(*next);
@@ -197,14 +197,14 @@ std::vector<Volumes> sorted(vtkCamera* camera, std::vector<Volumes> groups)
 }
 
 // Surfaces, and texts in space, which later releases of VTK draw as translucent.
-bool isTranslucent(vtkProp3D* prop)
+bool IsTranslucent(vtkProp3D* prop)
 {
   const double* bounds = prop->GetVisibility() ? prop->GetBounds() : nullptr;
   return bounds && vtkBoundingBox::IsValid(bounds) && prop->HasTranslucentPolygonalGeometry();
 }
 
 /** Whether VTK has drawn a translucent surface behind the volume that is not behind it. */
-bool coversSurfaces(vtkRenderer* renderer, vtkVolume* volume)
+bool CoversSurfaces(vtkRenderer* renderer, vtkVolume* volume)
 {
   vtkCollectionSimpleIterator place;
   vtkPropCollection* props = renderer->GetViewProps();
@@ -212,7 +212,7 @@ bool coversSurfaces(vtkRenderer* renderer, vtkVolume* volume)
   while (vtkProp* prop = props->GetNextProp(place))
   {
     auto* one = vtkProp3D::SafeDownCast(prop);
-    if (one && isTranslucent(one) && !isBehind(renderer->GetActiveCamera(), one, volume))
+    if (one && IsTranslucent(one) && !IsBehind(renderer->GetActiveCamera(), one, volume))
     {
       return true;
     }
@@ -221,20 +221,20 @@ bool coversSurfaces(vtkRenderer* renderer, vtkVolume* volume)
 }
 
 // ParaView draws the first picture of a view twice, at first without peeling.
-bool isSetToPeel(vtkRenderer* renderer)
+bool IsSetToPeel(vtkRenderer* renderer)
 {
   return renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes() &&
     renderer->GetRenderWindow()->GetMultiSamples() == 0;
 }
 
-void warnAboutSurfaces(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+void WarnAboutSurfaces(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   const bool covers = VolumeOrder::IsDrawn(volume) && !VolumePeel::IsRequested(volume) &&
-    !isSetToPeel(renderer) && coversSurfaces(renderer, volume);
+    !IsSetToPeel(renderer) && CoversSurfaces(renderer, volume);
   bool isNew = false;
   {
     const std::lock_guard<std::mutex> lock(partsMutex);
-    isNew = allParts()[mapper].Surfaces.IsNew(covers ? "surfaces" : "");
+    isNew = AllParts()[mapper].Surfaces.IsNew(covers ? "surfaces" : "");
   }
   if (isNew)
   {
@@ -245,29 +245,29 @@ void warnAboutSurfaces(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, v
   }
 }
 
-void drawOne(vtkRenderer* renderer, vtkVolume* volume)
+void DrawOne(vtkRenderer* renderer, vtkVolume* volume)
 {
-  partOf(volume)->Draw(renderer, volume);
+  PartOf(volume)->Draw(renderer, volume);
 }
 }
 
 void VolumeOrder::Enrol(vtkAbstractVolumeMapper* mapper, const Part& part)
 {
   const std::lock_guard<std::mutex> lock(partsMutex);
-  allParts()[mapper].Part = part;
+  AllParts()[mapper].Part = part;
 }
 
 void VolumeOrder::Leave(vtkAbstractVolumeMapper* mapper)
 {
   const std::lock_guard<std::mutex> lock(partsMutex);
-  allParts().erase(mapper);
+  AllParts().erase(mapper);
 }
 
 void VolumeOrder::ReleaseGraphicsResources(vtkAbstractVolumeMapper* mapper, vtkWindow* window)
 {
   const std::lock_guard<std::mutex> lock(partsMutex);
-  const auto found = allParts().find(mapper);
-  if (found != allParts().end() && found->second.Slices)
+  const auto found = AllParts().find(mapper);
+  if (found != AllParts().end() && found->second.Slices)
   {
     found->second.Slices->ReleaseGraphicsResources(window);
   }
@@ -275,7 +275,7 @@ void VolumeOrder::ReleaseGraphicsResources(vtkAbstractVolumeMapper* mapper, vtkW
 
 bool VolumeOrder::IsEnrolled(vtkVolume* volume)
 {
-  return partOf(volume) != nullptr;
+  return PartOf(volume) != nullptr;
 }
 
 bool VolumeOrder::IsDrawn(vtkVolume* volume)
@@ -286,8 +286,8 @@ bool VolumeOrder::IsDrawn(vtkVolume* volume)
 
 bool VolumeOrder::Overlap(vtkVolume* a, vtkVolume* b)
 {
-  const std::array<double, 6> boxA = boxOf(a);
-  const std::array<double, 6> boxB = boxOf(b);
+  const std::array<double, 6> boxA = BoxOf(a);
+  const std::array<double, 6> boxB = BoxOf(b);
   for (int axis = 0; axis < 6; axis += 2)
   {
     if (boxA[axis + 1] <= boxB[axis] || boxB[axis + 1] <= boxA[axis])
@@ -300,34 +300,34 @@ bool VolumeOrder::Overlap(vtkVolume* a, vtkVolume* b)
 
 bool VolumeOrder::HasOthers(vtkRenderer* renderer)
 {
-  const Volumes volumes = drawnVolumes(renderer);
+  const Volumes volumes = DrawnVolumes(renderer);
   return std::any_of(volumes.begin(), volumes.end(),
-    [&](vtkVolume* volume) { return !areMedium(renderer, { volume }); });
+    [&](vtkVolume* volume) { return !AreMedium(renderer, { volume }); });
 }
 
 void VolumeOrder::Draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  warnAboutSurfaces(mapper, renderer, volume);
-  const Volumes volumes = drawnVolumes(renderer);
+  WarnAboutSurfaces(mapper, renderer, volume);
+  const Volumes volumes = DrawnVolumes(renderer);
   if (volumes.size() < 2 || std::find(volumes.begin(), volumes.end(), volume) == volumes.end())
   {
-    partOf(mapper)->Draw(renderer, volume);
+    PartOf(mapper)->Draw(renderer, volume);
     return;
   }
   if (volume != volumes.front())
   {
     return; // the first draws all
   }
-  VolumeSlices& slices = slicesOf(volume);
-  for (const Volumes& group : sorted(renderer->GetActiveCamera(), groupsOf(renderer, volumes)))
+  VolumeSlices& slices = SlicesOf(volume);
+  for (const Volumes& group : Sorted(renderer->GetActiveCamera(), GroupsOf(renderer, volumes)))
   {
     if (group.size() == 1)
     {
-      drawOne(renderer, group.front());
+      DrawOne(renderer, group.front());
     }
     else
     {
-      slices.Draw(renderer, group, drawOne);
+      slices.Draw(renderer, group, DrawOne);
     }
   }
 }

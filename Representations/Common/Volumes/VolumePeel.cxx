@@ -36,7 +36,7 @@ const char* const keepPeeling =
   "    gl_FragData[0].a = max(gl_FragData[0].a, smallestAlpha);\n"
   "  }\n";
 
-void allocateColor(
+void AllocateColor(
   vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height, int type)
 {
   texture->SetContext(window);
@@ -51,7 +51,7 @@ VolumePeel::~VolumePeel() = default;
 
 bool VolumePeel::IsRequested(vtkProp* volume)
 {
-  return VolumeSlices::GetCurrent() || peelingPass(volume) != nullptr;
+  return VolumeSlices::GetCurrent() || PeelingPass(volume) != nullptr;
 }
 
 void VolumePeel::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
@@ -62,10 +62,10 @@ void VolumePeel::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
   }
   this->ReleaseGraphicsResources(window);
   this->Framebuffer->SetContext(window);
-  allocateColor(this->Ranges, window, width, height, VTK_FLOAT);
+  AllocateColor(this->Ranges, window, width, height, VTK_FLOAT);
   for (auto& target : this->Targets)
   {
-    allocateColor(target, window, width, height, VTK_UNSIGNED_CHAR);
+    AllocateColor(target, window, width, height, VTK_UNSIGNED_CHAR);
   }
   this->Depth->SetContext(window);
   this->Depth->AllocateDepth(width, height, vtkTextureObject::Float32);
@@ -78,10 +78,10 @@ vtkShaderProgram* VolumePeel::ReadyProgram(
   vtkOpenGLRenderWindow* window, const Request& request, const int viewport[4], const char* shader)
 {
   std::string vertex = wholeViewportVertex, geometry, fragment = shader;
-  forEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
+  ForEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
     pass->PreReplaceShaderValues(vertex, geometry, fragment, request.Mapper, request.Volume);
   });
-  forEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
+  ForEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
     pass->PostReplaceShaderValues(vertex, geometry, fragment, request.Mapper, request.Volume);
   });
   const bool peelsInFrontOfOpaque = fragment.find("opaqueDepthTex") != std::string::npos;
@@ -91,7 +91,7 @@ vtkShaderProgram* VolumePeel::ReadyProgram(
     vertex.c_str(), fragment.c_str(), geometry.c_str());
   if (program)
   {
-    forEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
+    ForEachPass(request.Volume, [&](vtkOpenGLRenderPass* pass) {
       pass->SetShaderParameters(program, request.Mapper, request.Volume);
     });
     const float inverseSize[2] = { 1.0f / viewport[2], 1.0f / viewport[3] };
@@ -144,7 +144,7 @@ bool VolumePeel::DrawRanges(
     return false;
   }
   DrawnQuery query;
-  drawWholeViewport(this->VertexArray);
+  DrawWholeViewport(this->VertexArray);
   return query.End();
 }
 
@@ -175,7 +175,7 @@ void VolumePeel::Deliver(vtkOpenGLRenderWindow* window, const Request& request,
     slices->Take(window, firstLight, secondLight);
     return;
   }
-  this->CopyTargets(window, std::min(2u, peelingPass(request.Volume)->GetActiveDrawBuffers()));
+  this->CopyTargets(window, std::min(2u, PeelingPass(request.Volume)->GetActiveDrawBuffers()));
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglEnableDisable savedDepthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable savedBlend(state, GL_BLEND);
@@ -195,7 +195,7 @@ void VolumePeel::Deliver(vtkOpenGLRenderWindow* window, const Request& request,
     textures[i]->Activate();
     program->SetUniformi(names[i], textures[i]->GetTextureUnit());
   }
-  drawWholeViewport(this->VertexArray);
+  DrawWholeViewport(this->VertexArray);
   for (vtkTextureObject* texture : textures)
   {
     texture->Deactivate();

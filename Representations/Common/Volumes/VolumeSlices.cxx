@@ -57,7 +57,7 @@ struct Span
   }
 };
 
-Span overlapOf(vtkCamera* camera, const std::vector<vtkVolume*>& volumes)
+Span OverlapOf(vtkCamera* camera, const std::vector<vtkVolume*>& volumes)
 {
   Span span;
   for (auto a = volumes.begin(); a != volumes.end(); ++a)
@@ -84,7 +84,7 @@ struct Division
 };
 
 /** In front of the span, in it, and behind it. */
-std::vector<Division> divide(vtkRenderer* renderer, const Span& span, int count)
+std::vector<Division> Divide(vtkRenderer* renderer, const Span& span, int count)
 {
   vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
     renderer->GetTiledAspectRatio(), -1, 1);
@@ -110,7 +110,7 @@ public:
   InTurn& operator=(const InTurn&) = delete;
 };
 
-bool isMoving(vtkRenderer* renderer)
+bool IsMoving(vtkRenderer* renderer)
 {
   return renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1;
 }
@@ -172,8 +172,8 @@ void VolumeSlices::DrawSlices(
   vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const std::vector<Division> ends = divide(renderer,
-    overlapOf(renderer->GetActiveCamera(), volumes), isMoving(renderer) ? Count / 4 : Count);
+  const std::vector<Division> ends = Divide(renderer,
+    OverlapOf(renderer->GetActiveCamera(), volumes), IsMoving(renderer) ? Count / 4 : Count);
   const std::size_t step = this->Peeled ? 1 : 2, last = ends.size() - 1;
   for (std::size_t i = 0; i < last; i += step)
   {
@@ -245,7 +245,7 @@ void VolumeSlices::Take(
   second->Activate();
   program->SetUniformi("firstLight", first->GetTextureUnit());
   program->SetUniformi("secondLight", second->GetTextureUnit());
-  drawWholeViewport(this->VertexArray);
+  DrawWholeViewport(this->VertexArray);
   first->Deactivate();
   second->Deactivate();
   this->Sums.End(window);
@@ -273,7 +273,7 @@ void VolumeSlices::Lay(vtkOpenGLRenderWindow* window)
   program->SetUniformi("firstSums", first->GetTextureUnit());
   program->SetUniformi("secondSums", second->GetTextureUnit());
   program->SetUniformi("ofPeel", this->Peeled);
-  drawWholeViewport(this->VertexArray);
+  DrawWholeViewport(this->VertexArray);
   first->Deactivate();
   second->Deactivate();
   this->Light.End(window);

@@ -30,7 +30,7 @@ namespace
 constexpr double margin = 1.0e-4; // of the box around all, more than single precision errs
 
 /** Area in device coordinates of the rectangle around a box on the screen; the whole screen has 4. */
-double areaOf(const vtkBoundingBox& box, vtkMatrix4x4* worldToDevice)
+double AreaOf(const vtkBoundingBox& box, vtkMatrix4x4* worldToDevice)
 {
   vtkBoundingBox seen;
   for (int corner = 0; corner < 8; ++corner)
@@ -124,11 +124,11 @@ bool VolumeSpans::AreWorthwhile(vtkRenderer* renderer, const std::vector<vtkVolu
       vtkBoundingBox both(volumes[i]->GetBounds());
       if (both.IntersectBox(vtkBoundingBox(volumes[j]->GetBounds())))
       {
-        shared += areaOf(both, toDevice);
+        shared += AreaOf(both, toDevice);
       }
     }
   }
-  return volumes.size() <= Most && shared < 0.5 * areaOf(all, toDevice);
+  return volumes.size() <= Most && shared < 0.5 * AreaOf(all, toDevice);
 }
 
 vtkTextureObject* VolumeSpans::Draw(
@@ -151,7 +151,7 @@ vtkTextureObject* VolumeSpans::Draw(
   Boxes(volumes).SetUniforms(program, renderer);
   const float size[2] = { float(viewport[2]), float(viewport[3]) };
   program->SetUniform2f("sizeOfViewport", size);
-  drawWholeViewport(this->VertexArray);
+  DrawWholeViewport(this->VertexArray);
   this->Image.End(window);
   return this->Image.GetTexture(0);
 }

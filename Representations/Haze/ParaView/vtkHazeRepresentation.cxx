@@ -22,7 +22,7 @@ vtkStandardNewMacro(vtkHazeRepresentation);
 namespace
 {
 // All ranks draw at once, each what it has.
-void takeMaximumOfRanks(double* numbers, int count)
+void TakeMaximumOfRanks(double* numbers, int count)
 {
   vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
   if (ranks && ranks->GetNumberOfProcesses() > 1)
@@ -33,7 +33,7 @@ void takeMaximumOfRanks(double* numbers, int count)
 }
 
 // If ranks have boxes, the view blends their pictures in the order of these. Otherwise it takes the nearest fragment of all ranks.
-vtkHaze::SkyOfRank findSkyOfRank(vtkPVRenderView* view)
+vtkHaze::SkyOfRank LookForSkyOfRank(vtkPVRenderView* view)
 {
   using Sky = vtkHaze::SkyOfRank;
   vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
@@ -42,7 +42,7 @@ vtkHaze::SkyOfRank findSkyOfRank(vtkPVRenderView* view)
     return Sky::ALONE;
   }
   const int rank = ranks->GetLocalProcessId();
-  const std::vector<vtkBoundingBox>* boxes = nephoscope::boxesOfRanks(view);
+  const std::vector<vtkBoundingBox>* boxes = nephoscope::BoxesOfRanks(view);
   if (!boxes || boxes->empty())
   {
     return rank == 0 ? Sky::BY_DEPTH : Sky::NONE;
@@ -55,8 +55,8 @@ vtkHaze::SkyOfRank findSkyOfRank(vtkPVRenderView* view)
 
 vtkHazeRepresentation::vtkHazeRepresentation()
 {
-  nephoscope::forwardMessages(this->Haze, this);
-  this->Haze->SetMaximumOfRanks(takeMaximumOfRanks);
+  nephoscope::ForwardMessages(this->Haze, this);
+  this->Haze->SetMaximumOfRanks(TakeMaximumOfRanks);
 }
 
 vtkHazeRepresentation::~vtkHazeRepresentation()
@@ -96,7 +96,7 @@ bool vtkHazeRepresentation::AddToView(vtkView* view)
     return false;
   }
   this->View = renderView;
-  this->Haze->SetFindSkyOfRank([view = this->View] { return findSkyOfRank(view); });
+  this->Haze->SetFindSkyOfRank([view = this->View] { return LookForSkyOfRank(view); });
   this->Switch(this->GetVisibility());
   return this->Superclass::AddToView(view);
 }

@@ -18,7 +18,7 @@ namespace nephoscope
 
 /** exp(x^2) erfc(x), x >= 0: (1 + 2 x) of it is a polynomial in (x - 3) / (x + 3); relative error below 8e-8. */
 template <typename Real>
-Real scaledErfc(Real x)
+Real ScaledErfc(Real x)
 {
   constexpr double coefficients[11] = { 1.25300806, -0.135620239, -0.0475621569, 0.129627505,
     -0.119275275, 0.0684095817, -0.0237635764, 0.0022865137, 0.00187507912, -0.000513850513,
@@ -34,7 +34,7 @@ Real scaledErfc(Real x)
 
 /** (1 - exp(-x)) / x, x >= 0. */
 template <typename Real>
-Real meanDecay(Real x)
+Real MeanDecay(Real x)
 {
   return x < Real(0.03) ? 1 - x * (Real(0.5) - x * (Real(1.0 / 6) - x * Real(1.0 / 24)))
                         : (1 - std::exp(-x)) / x;
@@ -45,7 +45,7 @@ Real meanDecay(Real x)
  * (Psi of WilliamsMax1992). By Gauss-Legendre quadrature where thin, else by the error function.
  */
 template <typename Real>
-Real meanTransparency(Real front, Real back)
+Real MeanTransparency(Real front, Real back)
 {
   if (back <= 1)
   {
@@ -63,45 +63,45 @@ Real meanTransparency(Real front, Real back)
   const Real q = std::sqrt(2 * std::max(back - front, Real(1e-6) * back));
   const Real transparency = std::exp(-(front + back) / 2);
   return Real(1.7724538509055160) / q *
-    (scaledErfc(front / q) - transparency * scaledErfc(back / q));
+    (ScaledErfc(front / q) - transparency * ScaledErfc(back / q));
 }
 
 /** Density over that at altitude 0; of no more use, but finite, far below it. */
 template <typename Real>
-Real hazeDensity(Real altitude)
+Real HazeDensity(Real altitude)
 {
   return std::exp(-std::max(altitude, Real(-20)));
 }
 
 /** Along a segment over flat ground. */
 template <typename Real>
-Real flatHazeLength(Real altitude1, Real altitude2, Real length)
+Real FlatHazeLength(Real altitude1, Real altitude2, Real length)
 {
-  return length * hazeDensity(std::min(altitude1, altitude2)) *
-    meanDecay(std::abs(altitude2 - altitude1));
+  return length * HazeDensity(std::min(altitude1, altitude2)) *
+    MeanDecay(std::abs(altitude2 - altitude1));
 }
 
 /** A ray over flat ground, up to where there is no haze, or down to altitude 0; `rise` is the sine of its elevation. */
 template <typename Real>
-Real flatHazeLengthToSky(Real altitude, Real rise)
+Real FlatHazeLengthToSky(Real altitude, Real rise)
 {
   const Real slope = std::max(std::abs(rise), Real(1e-6));
-  return (rise >= 0 ? hazeDensity(altitude) : std::max(Real(0), 1 - hazeDensity(altitude))) / slope;
+  return (rise >= 0 ? HazeDensity(altitude) : std::max(Real(0), 1 - HazeDensity(altitude))) / slope;
 }
 
 template <typename Real>
 using HazeVector = std::array<Real, 3>;
 
 template <typename Real>
-Real hazeDot(const HazeVector<Real>& a, const HazeVector<Real>& b)
+Real HazeDot(const HazeVector<Real>& a, const HazeVector<Real>& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 template <typename Real>
-Real hazeNorm(const HazeVector<Real>& a)
+Real HazeNorm(const HazeVector<Real>& a)
 {
-  return std::sqrt(hazeDot(a, a));
+  return std::sqrt(HazeDot(a, a));
 }
 
 /** A position around the centre of a planet. Its altitude is known better than the difference of two radii in float. */
@@ -114,7 +114,7 @@ struct HazePlace
 };
 
 template <typename Real>
-HazePlace<Real> movedHazePlace(const HazePlace<Real>& place, const HazeVector<Real>& step)
+HazePlace<Real> MovedHazePlace(const HazePlace<Real>& place, const HazeVector<Real>& step)
 {
   HazePlace<Real> moved;
   HazeVector<Real> both; // twice the place half way
@@ -123,8 +123,8 @@ HazePlace<Real> movedHazePlace(const HazePlace<Real>& place, const HazeVector<Re
     moved.FromCenter[c] = place.FromCenter[c] + step[c];
     both[c] = place.FromCenter[c] + moved.FromCenter[c];
   }
-  moved.Radius = hazeNorm(moved.FromCenter);
-  moved.Altitude = place.Altitude + hazeDot(both, step) / (place.Radius + moved.Radius);
+  moved.Radius = HazeNorm(moved.FromCenter);
+  moved.Altitude = place.Altitude + HazeDot(both, step) / (place.Radius + moved.Radius);
   return moved;
 }
 
@@ -139,24 +139,24 @@ struct HazeSegment
 };
 
 template <typename Real>
-HazeSegment<Real> hazeSegment(const HazePlace<Real>& from, const HazeVector<Real>& step)
+HazeSegment<Real> HazeSegmentOf(const HazePlace<Real>& from, const HazeVector<Real>& step)
 {
-  const HazePlace<Real> to = movedHazePlace(from, step);
+  const HazePlace<Real> to = MovedHazePlace(from, step);
   HazeSegment<Real> s;
   s.Radius1 = from.Radius;
   s.Radius2 = to.Radius;
   s.Altitude1 = from.Altitude;
   s.Altitude2 = to.Altitude;
-  const Real length = hazeNorm(step);
+  const Real length = HazeNorm(step);
   const Real perLength = length > 0 ? 1 / length : Real(0);
-  s.Along1 = hazeDot(from.FromCenter, step) * perLength;
+  s.Along1 = HazeDot(from.FromCenter, step) * perLength;
   s.Along2 = s.Along1 + length;
   HazeVector<Real> nearest;
   for (std::size_t c = 0; c < 3; ++c)
   {
     nearest[c] = from.FromCenter[c] - s.Along1 * perLength * step[c];
   }
-  s.Nearest = hazeNorm(nearest);
+  s.Nearest = HazeNorm(nearest);
   const bool isFirst = std::abs(s.Along1) < std::abs(s.Along2);
   s.NearestAltitude = isFirst ? s.Altitude1 - s.Along1 * s.Along1 / (s.Radius1 + s.Nearest)
                               : s.Altitude2 - s.Along2 * s.Along2 / (s.Radius2 + s.Nearest);
@@ -165,18 +165,18 @@ HazeSegment<Real> hazeSegment(const HazePlace<Real>& from, const HazeVector<Real
 
 /** Rays near the horizon, or past it: error functions about the nearest place, with the first correction for curvature. */
 template <typename Real>
-Real levelHazeLength(const HazeSegment<Real>& s)
+Real LevelHazeLength(const HazeSegment<Real>& s)
 {
   const Real b = s.Nearest;
   const Real x1 = s.Along1 / std::sqrt(s.Radius1 + b);
   const Real x2 = s.Along2 / std::sqrt(s.Radius2 + b);
-  const Real e1 = hazeDensity(s.Altitude1);
-  const Real e2 = hazeDensity(s.Altitude2);
+  const Real e1 = HazeDensity(s.Altitude1);
+  const Real e2 = HazeDensity(s.Altitude2);
   constexpr Real halfRootPi = Real(0.88622692545275801);
-  const Real tail1 = halfRootPi * e1 * scaledErfc(std::abs(x1));
-  const Real tail2 = halfRootPi * e2 * scaledErfc(std::abs(x2));
+  const Real tail1 = halfRootPi * e1 * ScaledErfc(std::abs(x1));
+  const Real tail2 = halfRootPi * e2 * ScaledErfc(std::abs(x2));
   const bool past = x1 < 0 && x2 > 0;
-  const Real g = past ? 2 * halfRootPi * hazeDensity(s.NearestAltitude) - tail1 - tail2
+  const Real g = past ? 2 * halfRootPi * HazeDensity(s.NearestAltitude) - tail1 - tail2
                       : std::abs(tail1 - tail2);
   const Real second = (g - x2 * e2 + x1 * e1) / 2;
   return std::max(Real(0), std::sqrt(2 * b) * (g + Real(0.75) / b * second));
@@ -184,18 +184,18 @@ Real levelHazeLength(const HazeSegment<Real>& s)
 
 /** Steep rays, from their lower end on: altitude along them as a parabola, as along a segment whose extinction rises. */
 template <typename Real>
-Real steepHazeLength(Real lowerRadius, Real lowerAltitude, Real sine, Real length)
+Real SteepHazeLength(Real lowerRadius, Real lowerAltitude, Real sine, Real length)
 {
   const Real front = sine * length;
   const Real back = front + (1 - sine * sine) * length / lowerRadius * length;
-  return length * hazeDensity(lowerAltitude) * meanTransparency(front, back);
+  return length * HazeDensity(lowerAltitude) * MeanTransparency(front, back);
 }
 
 /** About the centre of a planet; relative error below 1e-4 in the atmosphere of the Earth. */
 template <typename Real>
-Real globeHazeLength(const HazePlace<Real>& from, const HazeVector<Real>& step)
+Real GlobeHazeLength(const HazePlace<Real>& from, const HazeVector<Real>& step)
 {
-  const HazeSegment<Real> s = hazeSegment(from, step);
+  const HazeSegment<Real> s = HazeSegmentOf(from, step);
   const bool rising = s.Along1 >= 0;
   const bool falling = s.Along2 <= 0;
   const Real lowerRadius = std::min(s.Radius1, s.Radius2);
@@ -205,22 +205,22 @@ Real globeHazeLength(const HazePlace<Real>& from, const HazeVector<Real>& step)
     length < Real(0.005) * lowerRadius; // differences of error functions would cancel
   if ((rising || falling) && (isShort || sine > Real(0.2)))
   {
-    return steepHazeLength(lowerRadius, std::min(s.Altitude1, s.Altitude2), sine, length);
+    return SteepHazeLength(lowerRadius, std::min(s.Altitude1, s.Altitude2), sine, length);
   }
   if (isShort)
   {
-    return steepHazeLength(s.Nearest, s.NearestAltitude, Real(0), -s.Along1) +
-      steepHazeLength(s.Nearest, s.NearestAltitude, Real(0), s.Along2);
+    return SteepHazeLength(s.Nearest, s.NearestAltitude, Real(0), -s.Along1) +
+      SteepHazeLength(s.Nearest, s.NearestAltitude, Real(0), s.Along2);
   }
-  return levelHazeLength(s);
+  return LevelHazeLength(s);
 }
 
 /** A ray in a direction (of length 1), up to where there is no haze, or down to altitude 0. */
 template <typename Real>
-Real globeHazeLengthToSky(const HazePlace<Real>& from, const HazeVector<Real>& direction)
+Real GlobeHazeLengthToSky(const HazePlace<Real>& from, const HazeVector<Real>& direction)
 {
   constexpr Real top = 30; // exp(-30) of the haze is above
-  const Real along = hazeDot(from.FromCenter, direction);
+  const Real along = HazeDot(from.FromCenter, direction);
   const Real planet = from.Radius - from.Altitude;
   // Squares of half the chords within both spheres.
   const Real toGround = from.Altitude * (planet + from.Radius);
@@ -241,7 +241,7 @@ Real globeHazeLengthToSky(const HazePlace<Real>& from, const HazeVector<Real>& d
     first[c] = start * direction[c];
     step[c] = (length - start) * direction[c];
   }
-  return globeHazeLength(movedHazePlace(from, first), step);
+  return GlobeHazeLength(MovedHazePlace(from, first), step);
 }
 
 } // namespace nephoscope

@@ -20,14 +20,14 @@ struct Ray
 };
 
 /** From altitude h1 with the sine of elevation over a length. */
-Ray makeRay(double h1, double sine, double length)
+Ray MakeRay(double h1, double sine, double length)
 {
   const double cosine = std::sqrt(1 - sine * sine);
   return { { { 0, 0, earth + h1 } },
     { { 0.6 * length * cosine, 0.8 * length * cosine, earth + h1 + length * sine } } };
 }
 
-double quadrature(const Ray& ray, double scaleHeight)
+double Quadrature(const Ray& ray, double scaleHeight)
 {
   const int steps = 40000;
   double length = 0;
@@ -54,7 +54,7 @@ double quadrature(const Ray& ray, double scaleHeight)
 
 /** In the unit of the ray; in float the eye's altitude and the ray alone are rounded. */
 template <typename Real>
-Real haze(const Ray& ray, double scaleHeight)
+Real Haze(const Ray& ray, double scaleHeight)
 {
   HazePlace<Real> from;
   HazeVector<Real> step;
@@ -67,11 +67,11 @@ Real haze(const Ray& ray, double scaleHeight)
   }
   from.Radius = Real(std::sqrt(squares) / scaleHeight);
   from.Altitude = Real((std::sqrt(squares) - earth) / scaleHeight);
-  return Real(scaleHeight) * globeHazeLength(from, step);
+  return Real(scaleHeight) * GlobeHazeLength(from, step);
 }
 
 template <typename Real>
-Real hazeToSky(const Ray& ray, double scaleHeight)
+Real HazeToSky(const Ray& ray, double scaleHeight)
 {
   HazePlace<Real> from;
   HazeVector<Real> direction;
@@ -88,23 +88,23 @@ Real hazeToSky(const Ray& ray, double scaleHeight)
   }
   from.Radius = Real(std::sqrt(squares) / scaleHeight);
   from.Altitude = Real((std::sqrt(squares) - earth) / scaleHeight);
-  return Real(scaleHeight) * globeHazeLengthToSky(from, direction);
+  return Real(scaleHeight) * GlobeHazeLengthToSky(from, direction);
 }
 }
 
 TEST(Haze, HasTheGivenValues)
 {
-  EXPECT_NEAR(haze<double>(makeRay(0, 0, 500), 8), 275.448612591889, 2e-4 * 275);
-  EXPECT_NEAR(haze<double>(makeRay(0, 0.1, 100), 8), 55.8060243300098, 2e-4 * 56);
-  EXPECT_NEAR(haze<double>(makeRay(5, -0.03, 400), 2), 90.00686193061898, 2e-4 * 90);
-  EXPECT_NEAR(haze<double>(makeRay(10, 0, 800), 8), 81.13463000805936, 2e-4 * 81);
+  EXPECT_NEAR(Haze<double>(MakeRay(0, 0, 500), 8), 275.448612591889, 2e-4 * 275);
+  EXPECT_NEAR(Haze<double>(MakeRay(0, 0.1, 100), 8), 55.8060243300098, 2e-4 * 56);
+  EXPECT_NEAR(Haze<double>(MakeRay(5, -0.03, 400), 2), 90.00686193061898, 2e-4 * 90);
+  EXPECT_NEAR(Haze<double>(MakeRay(10, 0, 800), 8), 81.13463000805936, 2e-4 * 81);
 }
 
 TEST(Haze, LimbIsThatOfAnInfiniteRay)
 {
   const Ray limb{ { { -40000, 0, earth } }, { { 40000, 0, earth } } };
-  EXPECT_NEAR(haze<double>(limb, 8) / 566.1651122833583, 1, 1e-6);
-  EXPECT_NEAR(haze<float>(limb, 8) / 566.1651122833583, 1, 1e-4);
+  EXPECT_NEAR(Haze<double>(limb, 8) / 566.1651122833583, 1, 1e-6);
+  EXPECT_NEAR(Haze<float>(limb, 8) / 566.1651122833583, 1, 1e-4);
 }
 
 TEST(Haze, AgreesWithQuadratureUpAndDown)
@@ -113,13 +113,13 @@ TEST(Haze, AgreesWithQuadratureUpAndDown)
   for (int i = 0; i < 300; ++i)
   {
     const double scaleHeight = random.Uniform(2, 10);
-    const Ray ray = makeRay(random.Uniform(0, 25),
+    const Ray ray = MakeRay(random.Uniform(0, 25),
       i % 5 ? std::pow(random.Uniform(), 2) : random.Uniform(), random.LogUniform(1, 1600));
     const Ray back{ ray.Q, ray.P };
-    const double exact = quadrature(ray, scaleHeight);
-    EXPECT_NEAR(haze<double>(ray, scaleHeight) / exact, 1, 2e-4);
-    EXPECT_NEAR(haze<double>(back, scaleHeight), haze<double>(ray, scaleHeight), 1e-6 * exact);
-    EXPECT_NEAR(haze<float>(ray, scaleHeight), exact, 3e-4 * exact + 2e-3) << "in float";
+    const double exact = Quadrature(ray, scaleHeight);
+    EXPECT_NEAR(Haze<double>(ray, scaleHeight) / exact, 1, 2e-4);
+    EXPECT_NEAR(Haze<double>(back, scaleHeight), Haze<double>(ray, scaleHeight), 1e-6 * exact);
+    EXPECT_NEAR(Haze<float>(ray, scaleHeight), exact, 3e-4 * exact + 2e-3) << "in float";
   }
 }
 
@@ -131,8 +131,8 @@ TEST(Haze, AgreesWithQuadraturePastTheHorizon)
     const double low = random.Uniform(0, 10);
     const double s1 = -random.Uniform(1, 600), s2 = random.Uniform(1, 600);
     const Ray ray{ { { s1, 0, earth + low } }, { { s2, 0, earth + low } } };
-    EXPECT_NEAR(haze<double>(ray, 8) / quadrature(ray, 8), 1, 1e-5);
-    EXPECT_NEAR(haze<float>(ray, 8) / quadrature(ray, 8), 1, 3e-4) << "in float";
+    EXPECT_NEAR(Haze<double>(ray, 8) / Quadrature(ray, 8), 1, 1e-5);
+    EXPECT_NEAR(Haze<float>(ray, 8) / Quadrature(ray, 8), 1, 3e-4) << "in float";
   }
 }
 
@@ -149,15 +149,15 @@ TEST(Haze, SeenFromSpaceIsFiniteInFloat)
       ray.P[c] = 26000 * eye[c];
       ray.Q[c] = (earth + 5) * ground[c];
     }
-    const float x = haze<float>(ray, 8);
+    const float x = Haze<float>(ray, 8);
     EXPECT_TRUE(std::isfinite(x) && x >= 0) << x;
     if (eye[0] * ground[0] + eye[1] * ground[1] + eye[2] * ground[2] >
       0.3) // the ray does not pass through the planet
     {
-      EXPECT_NEAR(x / quadrature(ray, 8), 1, 3e-3);
+      EXPECT_NEAR(x / Quadrature(ray, 8), 1, 3e-3);
     }
   }
-  EXPECT_EQ(haze<float>(makeRay(0, 0, 0), 8), 0);
+  EXPECT_EQ(Haze<float>(MakeRay(0, 0, 0), 8), 0);
 }
 
 TEST(Haze, FlatGround)
@@ -172,8 +172,8 @@ TEST(Haze, FlatGround)
       {
         sum += std::exp(-(h1 + (h2 - h1) * (i + 0.5) / steps) / 8) * 700 / steps;
       }
-      EXPECT_NEAR(8 * flatHazeLength(h1 / 8, h2 / 8, 700.0 / 8) / sum, 1, 1e-4);
-      EXPECT_NEAR(8 * flatHazeLength(float(h1 / 8), float(h2 / 8), 700.0f / 8) / sum, 1, 1e-4);
+      EXPECT_NEAR(8 * FlatHazeLength(h1 / 8, h2 / 8, 700.0 / 8) / sum, 1, 1e-4);
+      EXPECT_NEAR(8 * FlatHazeLength(float(h1 / 8), float(h2 / 8), 700.0f / 8) / sum, 1, 1e-4);
     }
   }
 }
@@ -185,10 +185,10 @@ TEST(Haze, ThinFogIsExactInFloat)
   for (int i = 0; i < 300; ++i)
   {
     const Ray ray =
-      makeRay(random.Uniform(0, 0.3), random.Uniform(-0.02, 0.02), random.LogUniform(0.01, 60));
-    const double exact = quadrature(ray, 0.1);
-    EXPECT_NEAR(haze<double>(ray, 0.1) / exact, 1, 1e-4);
-    EXPECT_NEAR(haze<float>(ray, 0.1), exact, 1e-3 * exact + 1e-5) << "in float";
+      MakeRay(random.Uniform(0, 0.3), random.Uniform(-0.02, 0.02), random.LogUniform(0.01, 60));
+    const double exact = Quadrature(ray, 0.1);
+    EXPECT_NEAR(Haze<double>(ray, 0.1) / exact, 1, 1e-4);
+    EXPECT_NEAR(Haze<float>(ray, 0.1), exact, 1e-3 * exact + 1e-5) << "in float";
   }
 }
 
@@ -198,39 +198,39 @@ TEST(Haze, OfTheSkyEndsWhereThereIsNone)
   for (int i = 0; i < 200; ++i)
   {
     const double scaleHeight = random.Uniform(2, 10);
-    const Ray up = makeRay(random.Uniform(0, 50), std::pow(random.Uniform(), 3), 4000);
-    const double exact = quadrature(up, scaleHeight);
-    EXPECT_NEAR(hazeToSky<double>(up, scaleHeight), exact, 5e-3 * exact + 1e-6);
-    EXPECT_NEAR(hazeToSky<float>(up, scaleHeight), exact, 5e-3 * exact + 1e-3) << "in float";
+    const Ray up = MakeRay(random.Uniform(0, 50), std::pow(random.Uniform(), 3), 4000);
+    const double exact = Quadrature(up, scaleHeight);
+    EXPECT_NEAR(HazeToSky<double>(up, scaleHeight), exact, 5e-3 * exact + 1e-6);
+    EXPECT_NEAR(HazeToSky<float>(up, scaleHeight), exact, 5e-3 * exact + 1e-3) << "in float";
   }
   // From space, past the planet and down to it.
   for (const double lowest : { 0.5, 4.0, 30.0 })
   {
     const double sine = -std::sqrt(1 - std::pow((earth + lowest) / (earth + 20000), 2));
-    const Ray limb = makeRay(20000, sine, 60000);
-    const double exact = quadrature(limb, 8);
-    EXPECT_NEAR(hazeToSky<double>(limb, 8) / exact, 1, 1e-3);
-    EXPECT_NEAR(hazeToSky<float>(limb, 8) / exact, 1, 5e-3) << "in float";
+    const Ray limb = MakeRay(20000, sine, 60000);
+    const double exact = Quadrature(limb, 8);
+    EXPECT_NEAR(HazeToSky<double>(limb, 8) / exact, 1, 1e-3);
+    EXPECT_NEAR(HazeToSky<float>(limb, 8) / exact, 1, 5e-3) << "in float";
   }
-  const Ray down = makeRay(20000, -1, 20000);
-  EXPECT_NEAR(hazeToSky<float>(down, 8), 8, 0.02);
-  EXPECT_EQ(hazeToSky<float>(makeRay(20000, 0.1, 100), 8), 0) << "away from the planet";
+  const Ray down = MakeRay(20000, -1, 20000);
+  EXPECT_NEAR(HazeToSky<float>(down, 8), 8, 0.02);
+  EXPECT_EQ(HazeToSky<float>(MakeRay(20000, 0.1, 100), 8), 0) << "away from the planet";
 }
 
 TEST(Haze, OfTheSkyOverFlatGround)
 {
-  EXPECT_NEAR(flatHazeLengthToSky(0.0, 0.5), 2, 1e-12);
-  EXPECT_NEAR(flatHazeLengthToSky(1.0, 1.0), std::exp(-1.0), 1e-12);
-  EXPECT_NEAR(flatHazeLengthToSky(1.0, -1.0), 1 - std::exp(-1.0), 1e-12);
-  EXPECT_GT(flatHazeLengthToSky(0.0f, 0.0f), 0);
-  EXPECT_EQ(flatHazeLengthToSky(-1.0f, -1.0f), 0) << "below the ground";
+  EXPECT_NEAR(FlatHazeLengthToSky(0.0, 0.5), 2, 1e-12);
+  EXPECT_NEAR(FlatHazeLengthToSky(1.0, 1.0), std::exp(-1.0), 1e-12);
+  EXPECT_NEAR(FlatHazeLengthToSky(1.0, -1.0), 1 - std::exp(-1.0), 1e-12);
+  EXPECT_GT(FlatHazeLengthToSky(0.0f, 0.0f), 0);
+  EXPECT_EQ(FlatHazeLengthToSky(-1.0f, -1.0f), 0) << "below the ground";
 }
 
 TEST(Haze, ScaledErfc)
 {
   for (double x = 0; x < 6; x += 0.013)
   {
-    EXPECT_NEAR(scaledErfc(x) / (std::exp(x * x) * std::erfc(x)), 1, 1e-7);
+    EXPECT_NEAR(ScaledErfc(x) / (std::exp(x * x) * std::erfc(x)), 1, 1e-7);
   }
-  EXPECT_NEAR(scaledErfc(1e4) * 1e4 * std::sqrt(std::acos(-1.0)), 1, 1e-6);
+  EXPECT_NEAR(ScaledErfc(1e4) * 1e4 * std::sqrt(std::acos(-1.0)), 1, 1e-6);
 }

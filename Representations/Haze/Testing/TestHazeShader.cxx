@@ -11,7 +11,7 @@
 using namespace nephoscope;
 using nephoscope_test::Float4;
 using nephoscope_test::Random;
-using nephoscope_test::readShader;
+using nephoscope_test::ReadShader;
 using nephoscope_test::ShaderRunner;
 
 namespace
@@ -31,11 +31,11 @@ struct Segments
   }
 };
 
-HazePlace<float> placeOf(const Float4& first)
+HazePlace<float> PlaceOf(const Float4& first)
 {
   HazePlace<float> place;
   place.FromCenter = { { first[0], first[1], first[2] } };
-  place.Radius = hazeNorm(place.FromCenter);
+  place.Radius = HazeNorm(place.FromCenter);
   place.Altitude = first[3];
   return place;
 }
@@ -46,7 +46,7 @@ protected:
   std::vector<Float4> Run(const std::string& body)
   {
     static ShaderRunner runner;
-    return runner.Run(readShader("Haze.glsl"), body, this->Items.First, this->Items.Second,
+    return runner.Run(ReadShader("Haze.glsl"), body, this->Items.First, this->Items.Second,
       [](vtkShaderProgram*) {});
   }
 
@@ -70,7 +70,7 @@ TEST_F(HazeShader, AboutAGlobe)
   {
     const Float4& step = this->Items.Second[i];
     const float expected =
-      globeHazeLength(placeOf(this->Items.First[i]), { { step[0], step[1], step[2] } });
+      GlobeHazeLength(PlaceOf(this->Items.First[i]), { { step[0], step[1], step[2] } });
     // Both round differently where two tails nearly cancel, whose unit is sqrt(2 R).
     EXPECT_NEAR(
       results[i][0], expected, 5e-4 * expected + 4e-6 * std::sqrt(2 * this->Items.First[i][2]))
@@ -93,7 +93,7 @@ TEST_F(HazeShader, OverFlatGround)
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     const float expected =
-      flatHazeLength(this->Items.First[i][0], this->Items.First[i][1], this->Items.Second[i][0]);
+      FlatHazeLength(this->Items.First[i][0], this->Items.First[i][1], this->Items.Second[i][0]);
     EXPECT_NEAR(results[i][0] / expected, 1, 1e-5) << i;
   }
 }

@@ -31,7 +31,7 @@ struct Rule
 };
 
 /** The extent of the volume at a place within a hexahedron some of whose corners coincide, by those of the reference cell. */
-float extent(int type, const double at[3])
+float Extent(int type, const double at[3])
 {
   switch (type)
   {
@@ -46,7 +46,7 @@ float extent(int type, const double at[3])
   }
 }
 
-Rule makeRule(int type)
+Rule MakeRule(int type)
 {
   const double place[3] = { 0.5 - std::sqrt(0.15), 0.5, 0.5 + std::sqrt(0.15) };
   const double weight[3] = { 5.0 / 18, 8.0 / 18, 5.0 / 18 };
@@ -62,7 +62,7 @@ Rule makeRule(int type)
         (c & 1 ? at[0] : 1 - at[0]) * (c & 2 ? at[1] : 1 - at[1]) * (c & 4 ? at[2] : 1 - at[2]));
     }
     rule.Volume[q] =
-      static_cast<float>(weight[index[0]] * weight[index[1]] * weight[index[2]]) * extent(type, at);
+      static_cast<float>(weight[index[0]] * weight[index[1]] * weight[index[2]]) * Extent(type, at);
     sum += rule.Volume[q];
   }
   for (std::size_t q = 0; q < 27; ++q)
@@ -76,10 +76,10 @@ Rule makeRule(int type)
   return rule;
 }
 
-const Rule& ruleOf(int type)
+const Rule& RuleOf(int type)
 {
-  static const Rule box = makeRule(VTK_HEXAHEDRON), wedge = makeRule(VTK_WEDGE),
-                    pyramid = makeRule(VTK_PYRAMID), tetrahedron = makeRule(VTK_TETRA);
+  static const Rule box = MakeRule(VTK_HEXAHEDRON), wedge = MakeRule(VTK_WEDGE),
+                    pyramid = MakeRule(VTK_PYRAMID), tetrahedron = MakeRule(VTK_TETRA);
   return type == VTK_WEDGE ? wedge
     : type == VTK_PYRAMID  ? pyramid
     : type == VTK_TETRA    ? tetrahedron
@@ -162,11 +162,11 @@ private:
         Gift& gift = gifts[std::size_t(cell - first)];
         gift.Weights[0] = 0;
         const int type = this->Data->GetCellType(cell);
-        const HexahedronForm form = hexahedronForm(type);
+        const HexahedronForm form = HexahedronFormOf(type);
         if (!this->IsHidden(cell) && form.Tetrahedra > 0)
         {
           this->Data->GetCellPoints(cell, list);
-          this->GiveOf(ruleOf(type), form, list, gift);
+          this->GiveOf(RuleOf(type), form, list, gift);
         }
       }
     });

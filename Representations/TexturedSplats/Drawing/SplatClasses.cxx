@@ -27,7 +27,7 @@ namespace
 // depth of t, alpha is at most 1.006e-6 t too small.
 constexpr float leastShare = 1e-6f;
 
-std::vector<float> interpolated(vtkDataSet* data, const ScalarSelection& dense,
+std::vector<float> Interpolated(vtkDataSet* data, const ScalarSelection& dense,
   const double range[2], const TransferFunctionTable& extinction)
 {
   std::vector<float> values(static_cast<std::size_t>(data->GetNumberOfPoints()));
@@ -37,7 +37,7 @@ std::vector<float> interpolated(vtkDataSet* data, const ScalarSelection& dense,
     {
       const bool hidden = ghosts && (ghosts->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT);
       values[static_cast<std::size_t>(i)] =
-        hidden ? std::numeric_limits<float>::quiet_NaN() : normalized(dense, i, range);
+        hidden ? std::numeric_limits<float>::quiet_NaN() : Normalized(dense, i, range);
     }
   });
   return InterpolateExtinction(data, values, extinction);
@@ -50,13 +50,13 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
 {
   const ScalarSelection& dense = opacity.Array ? opacity : scalars;
   double range[2], denseRange[2];
-  findRange(data, scalars, range);
-  findRange(data, dense, denseRange);
+  FindRange(data, scalars, range);
+  FindRange(data, dense, denseRange);
   TransferFunctionTable color, extinction;
   color.Build(property, range, TransferFunctionTable::Channels::Color);
   extinction.Build(property, denseRange, TransferFunctionTable::Channels::Opacity);
   const std::vector<float> ofCells = interpolate && !dense.OnCells && data->GetNumberOfCells() > 0
-    ? interpolated(data, dense, denseRange, extinction)
+    ? Interpolated(data, dense, denseRange, extinction)
     : std::vector<float>();
   const float rate = static_cast<float>(1.0 / property->GetScalarOpacityUnitDistance());
 
@@ -65,8 +65,8 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
     for (vtkIdType i = begin; i < end; ++i)
     {
       const auto at = static_cast<std::size_t>(i);
-      const float s = normalized(scalars, samples.Ids[at], range);
-      const float d = normalized(dense, samples.Ids[at], denseRange);
+      const float s = Normalized(scalars, samples.Ids[at], range);
+      const float d = Normalized(dense, samples.Ids[at], denseRange);
       if (std::isfinite(s) && std::isfinite(d))
       {
         all[at] = color.Evaluate(s);

@@ -22,7 +22,7 @@ constexpr double flat =
   3.0; // by this factor rays must cross more layers of one axis than of the others
 
 // Not of unit length.
-Vector3 towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
+Vector3 TowardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
 {
   Vector3 d;
   for (std::size_t c = 0; c < 3; ++c)
@@ -33,24 +33,24 @@ Vector3 towardsEye(const SplatSamples::Float3& place, const SplatEye& eye)
 }
 
 // In the world.
-double lengthOf(const Vector3& d, const SplatMetric& metric)
+double LengthOf(const Vector3& d, const SplatMetric& metric)
 {
-  return std::sqrt(std::max(dot(d, Times(metric, d)), 0.0));
+  return std::sqrt(std::max(Dot(d, Times(metric, d)), 0.0));
 }
 
 // The axis whose edges point most towards the eye, on the mean.
-int facingAxis(const SplatSamples& samples, const SplatEye& eye, const SplatMetric& metric)
+int FacingAxis(const SplatSamples& samples, const SplatEye& eye, const SplatMetric& metric)
 {
   double facing[3] = { 0, 0, 0 };
   for (std::size_t i = 0; i < samples.Size(); i += samples.StrideOfSome())
   {
-    const Vector3 d = towardsEye(samples.Positions[i], eye);
+    const Vector3 d = TowardsEye(samples.Positions[i], eye);
     const Vector3 covector = Times(metric, d);
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const Vector3 edge = ToDouble(samples.SomeJacobianOf(i)[axis]);
-      const double length = lengthOf(edge, metric) * lengthOf(d, metric);
-      facing[axis] += length > 0 ? std::abs(dot(edge, covector)) / length : 0;
+      const double length = LengthOf(edge, metric) * LengthOf(d, metric);
+      facing[axis] += length > 0 ? std::abs(Dot(edge, covector)) / length : 0;
     }
   }
   const int other = facing[0] > facing[1] ? 0 : 1;
@@ -68,11 +68,11 @@ void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& sampl
   const SplatEye& eye, const SplatMetric& metric, int axis)
 {
   const GridSamples grid(data, onCells);
-  const int along = axis >= 0 ? axis : facingAxis(samples, eye, metric);
+  const int along = axis >= 0 ? axis : FacingAxis(samples, eye, metric);
   const double thickness = std::max(Thickness(samples, metric), 1e-30);
   this->Layers.resize(samples.Size());
-  forAll(this->Layers.size(), [&](std::size_t i) {
-    const Vector3 d = towardsEye(samples.Positions[i], eye);
+  ForAll(this->Layers.size(), [&](std::size_t i) {
+    const Vector3 d = TowardsEye(samples.Positions[i], eye);
     const Vector3 covector = Times(metric, d);
     if (grid.IsGrid())
     {
@@ -80,13 +80,13 @@ void SplatLayers::Find(vtkDataSet* data, bool onCells, const SplatSamples& sampl
       const Vector3 edge = samples.Jacobians.empty()
         ? grid.Direction(samples.Ids[i], along)
         : ToDouble(samples.JacobianOf(i)[static_cast<std::size_t>(along)]);
-      const bool towards = dot(edge, covector) >= 0;
+      const bool towards = Dot(edge, covector) >= 0;
       this->Layers[i] = towards ? middle + index : middle - 1 - index;
       return;
     }
-    const double distance = lengthOf(d, metric);
+    const double distance = LengthOf(d, metric);
     const double nearness =
-      eye[3] == 0 ? dot(ToDouble(samples.Positions[i]), covector) / distance : -distance;
+      eye[3] == 0 ? Dot(ToDouble(samples.Positions[i]), covector) / distance : -distance;
     const double layer = std::floor(nearness / thickness);
     this->Layers[i] =
       static_cast<std::uint32_t>(std::clamp(layer, -2.0e9, 2.0e9) + static_cast<double>(middle));
@@ -99,16 +99,16 @@ int SplatLayers::FlatAxis(
   double lengths[3] = { 0, 0, 0 }, crossed[3] = { 0, 0, 0 }; // on the way of one length
   for (std::size_t i = 0; i < samples.Size(); i += samples.StrideOfSome())
   {
-    const Vector3 d = towardsEye(samples.Positions[i], eye);
+    const Vector3 d = TowardsEye(samples.Positions[i], eye);
     const auto& jacobian = samples.SomeJacobianOf(i);
     const Vector3 edges[3] = { ToDouble(jacobian[0]), ToDouble(jacobian[1]),
       ToDouble(jacobian[2]) };
-    const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) * lengthOf(d, metric);
+    const double volume = std::abs(Dot(edges[0], Cross(edges[1], edges[2]))) * LengthOf(d, metric);
     for (std::size_t axis = 0; volume > 0 && axis < 3; ++axis)
     {
-      lengths[axis] += lengthOf(edges[axis], metric);
+      lengths[axis] += LengthOf(edges[axis], metric);
       crossed[axis] +=
-        std::abs(dot(d, cross(edges[(axis + 1) % 3], edges[(axis + 2) % 3]))) / volume;
+        std::abs(Dot(d, Cross(edges[(axis + 1) % 3], edges[(axis + 2) % 3]))) / volume;
     }
   }
   for (int axis = 0; axis < 3; ++axis)

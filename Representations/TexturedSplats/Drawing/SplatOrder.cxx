@@ -18,7 +18,7 @@ constexpr int bitsPerPass = 11;
 constexpr std::size_t blocks = 16; // whatever the number of threads, so that the result is the same
 
 // The bits of a float, made to grow with it.
-std::uint32_t sortable(float value)
+std::uint32_t Sortable(float value)
 {
   std::uint32_t bits;
   std::memcpy(&bits, &value, sizeof(bits));
@@ -31,14 +31,14 @@ struct Keyed
   std::int32_t Item;
 };
 
-double squareDistance(const std::array<float, 3>& p, const SplatEye& eye, const SplatMetric& metric)
+double SquareDistance(const std::array<float, 3>& p, const SplatEye& eye, const SplatMetric& metric)
 {
   const Vector3 d = { { p[0] - eye[0], p[1] - eye[1], p[2] - eye[2] } };
-  return dot(d, Times(metric, d));
+  return Dot(d, Times(metric, d));
 }
 
 template <typename Body>
-void forBlocks(std::size_t count, Body body)
+void ForBlocks(std::size_t count, Body body)
 {
   vtkSMPTools::For(0, static_cast<vtkIdType>(blocks), 1, [&](vtkIdType begin, vtkIdType end) {
     for (vtkIdType b = begin; b < end; ++b)
@@ -50,11 +50,11 @@ void forBlocks(std::size_t count, Body body)
 }
 
 // One pass: items go to the places that the counts of their digit, in this block and those before it, give them.
-void sortByDigit(const std::vector<Keyed>& from, std::vector<Keyed>& to, int shift)
+void SortByDigit(const std::vector<Keyed>& from, std::vector<Keyed>& to, int shift)
 {
   std::vector<std::array<std::uint32_t, digits>> places(blocks);
   const auto digitOf = [shift](const Keyed& k) { return (k.Key >> shift) & (digits - 1); };
-  forBlocks(from.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
+  ForBlocks(from.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
     places[block].fill(0);
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -69,7 +69,7 @@ void sortByDigit(const std::vector<Keyed>& from, std::vector<Keyed>& to, int shi
       next += std::exchange(places[block][digit], next);
     }
   }
-  forBlocks(from.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
+  ForBlocks(from.size(), [&](std::size_t block, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
       to[places[block][digitOf(from[i])]++] = from[i];
@@ -81,7 +81,7 @@ void sortByDigit(const std::vector<Keyed>& from, std::vector<Keyed>& to, int shi
 std::vector<std::int32_t> SortKeys(std::vector<std::uint32_t>& keys)
 {
   std::vector<Keyed> items(keys.size()), other(keys.size());
-  forBlocks(keys.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+  ForBlocks(keys.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
       items[i] = { keys[i], static_cast<std::int32_t>(i) };
@@ -89,11 +89,11 @@ std::vector<std::int32_t> SortKeys(std::vector<std::uint32_t>& keys)
   });
   for (int shift = 0; shift < 32; shift += bitsPerPass)
   {
-    sortByDigit(items, other, shift);
+    SortByDigit(items, other, shift);
     items.swap(other);
   }
   std::vector<std::int32_t> order(items.size());
-  forBlocks(items.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+  ForBlocks(items.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
       order[i] = items[i].Item;
@@ -112,7 +112,7 @@ std::size_t CountNear(const std::vector<std::array<float, 3>>& positions,
   }
   const auto first = std::partition_point(order.begin(), order.end(), [&](std::int32_t item) {
     const auto& p = positions[static_cast<std::size_t>(samples[static_cast<std::size_t>(item)])];
-    return squareDistance(p, eye, metric) > distance * distance;
+    return SquareDistance(p, eye, metric) > distance * distance;
   });
   return static_cast<std::size_t>(order.end() - first);
 }
@@ -122,7 +122,7 @@ std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& p
 {
   const Vector3 towards = Times(metric, { { eye[0], eye[1], eye[2] } });
   std::vector<std::uint32_t> keys(samples.size());
-  forBlocks(keys.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
+  ForBlocks(keys.size(), [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
     {
       const auto& p = positions[static_cast<std::size_t>(samples[i])];
@@ -133,9 +133,9 @@ std::vector<std::int32_t> OrderSplats(const std::vector<std::array<float, 3>>& p
       }
       else
       {
-        nearness = -squareDistance(p, eye, metric);
+        nearness = -SquareDistance(p, eye, metric);
       }
-      keys[i] = sortable(static_cast<float>(nearness));
+      keys[i] = Sortable(static_cast<float>(nearness));
     }
   });
   return SortKeys(keys);

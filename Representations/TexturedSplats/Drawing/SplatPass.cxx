@@ -57,7 +57,7 @@ constexpr float tailShare = 0.6f;     // of a streak's period, at full speed
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
 
 // SplatFootprint.glsl: zOfDepth
-float zOfDepth(float depth, const std::array<float, 4>& depthToVC)
+float ZOfDepth(float depth, const std::array<float, 4>& depthToVC)
 {
   const float e = 1.0f - depth;
   return depth <= 0.0f ? 1.0e37f
@@ -65,22 +65,22 @@ float zOfDepth(float depth, const std::array<float, 4>& depthToVC)
                        : -1.0e37f;
 }
 
-std::array<float, 2> zOfSlice(const std::array<float, 4>& depthToVC)
+std::array<float, 2> ZOfSlice(const std::array<float, 4>& depthToVC)
 {
   const VolumeSlices* slices = VolumeSlices::GetCurrent();
   const std::array<float, 2> depths = slices ? slices->GetDepths() : std::array<float, 2>{ 0, 1 };
-  return { zOfDepth(depths[0], depthToVC), zOfDepth(depths[1], depthToVC) };
+  return { ZOfDepth(depths[0], depthToVC), ZOfDepth(depths[1], depthToVC) };
 }
 
 // Vertices of quadrangles: the medium, or its halves behind and in front of streaks, or of two segments.
-int verticesOfSplat(const SplatDrawingOptions& options, bool nearEye)
+int VerticesOfSplat(const SplatDrawingOptions& options, bool nearEye)
 {
   const bool both = nearEye || !options.MediaApart;
   const int vectors = options.Segments ? 2 : 1;
   return 4 * (options.Vectors ? vectors + (both ? 2 : 0) : 1);
 }
 
-std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass::Variant& variant)
+std::string ConstantsOfShader(const SplatDrawingOptions& options, const SplatPass::Variant& variant)
 {
   const bool nearEye = variant.As == SplatPass::Way::Viewport;
   const bool firstOrder = variant.As == SplatPass::Way::FarPoints && !variant.Parallel;
@@ -97,7 +97,7 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
        << "const bool nearEye = " << (nearEye ? "true" : "false") << ";\n"
        << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
        << "const bool mediaApart = " << (options.MediaApart ? "true" : "false") << ";\n"
-       << "#define MAX_VERTICES " << verticesOfSplat(options, nearEye) << "\n"
+       << "#define MAX_VERTICES " << VerticesOfSplat(options, nearEye) << "\n"
        << (variant.Fade ? "#define FADE\n" : "") << (variant.Region ? "#define DRAW_REGION\n" : "")
        << "const float dotSize = " << dotSize << ";\n"
        << "const float largeEnough = " << largeEnough << ";\n"
@@ -110,11 +110,11 @@ std::string shaderConstants(const SplatDrawingOptions& options, const SplatPass:
     (vectors ? "#define DRAW_VECTORS\n" + VectorTextureConstants(streakSpacing) : std::string());
 }
 
-std::string specialized(const char* shader, const std::string& constants)
+std::string Specialized(const char* shader, const std::string& constants)
 {
-  return withShaderParts(shader,
+  return WithShaderParts(shader,
     { { "VectorSplat", VectorSplatGeometry }, { "VectorTexture", VectorTextureShader },
-      { "Constants", constants }, { "Arrays", arrayDeclarations(currentArrayLayout()) },
+      { "Constants", constants }, { "Arrays", ArrayDeclarations(CurrentArrayLayout()) },
       { "Cell", SplatCell }, { "Footprint", SplatFootprint }, { "Region", SplatRegionShader },
       { "InRegion", SplatInRegion } });
 }
@@ -122,7 +122,7 @@ std::string specialized(const char* shader, const std::string& constants)
 using Float4 = std::array<float, 4>;
 
 // Columns of J with the centre in the fourth components.
-void packCell(
+void PackCell(
   const SplatSamples::Jacobian& j, const SplatSamples::Float3& p, std::vector<Float4>& packed)
 {
   for (std::size_t c = 0; c < 3; ++c)
@@ -132,7 +132,7 @@ void packCell(
 }
 
 // The centre alone where the Jacobian is shared; nodes of the tree always have their own.
-std::vector<Float4> packSplats(
+std::vector<Float4> PackSplats(
   const SplatSamples& samples, const SplatClasses& classes, const SplatTree& tree, bool jacobians)
 {
   std::vector<Float4> packed;
@@ -143,7 +143,7 @@ std::vector<Float4> packSplats(
     const auto& p = samples.Positions[i];
     if (jacobians)
     {
-      packCell(samples.JacobianOf(i), p, packed);
+      PackCell(samples.JacobianOf(i), p, packed);
     }
     else
     {
@@ -152,7 +152,7 @@ std::vector<Float4> packSplats(
   }
   for (const SplatTreeNode& node : tree.Nodes())
   {
-    packCell(node.Jacobian, node.Position, packed);
+    PackCell(node.Jacobian, node.Position, packed);
   }
   return packed;
 }
@@ -170,7 +170,7 @@ std::string SplatPass::UploadCells(vtkOpenGLRenderWindow* window, const SplatSam
   {
     this->SharedJacobian[i] = samples.Jacobians[0][i / 3][i % 3];
   }
-  const std::vector<Float4> packed = packSplats(samples, classes, tree, this->JacobianPerSplat);
+  const std::vector<Float4> packed = PackSplats(samples, classes, tree, this->JacobianPerSplat);
   std::string error = this->Splats.Upload(window, packed.data(), packed.size(), 4, VTK_FLOAT);
   error = error.empty() ? this->UploadVectors(window, {}) : error; // until there are some
   return error.empty() ? this->UploadVectorColors(window, {}) : error;
@@ -308,18 +308,18 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
   const SplatDrawingOptions& options, const Variant& variant,
   const std::array<std::size_t, 2>& range)
 {
-  const std::string constants = shaderConstants(options, variant);
+  const std::string constants = ConstantsOfShader(options, variant);
   const bool points = variant.As == Way::FarPoints || variant.As == Way::Points;
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    specialized(points ? TexturedSplatPointVertex : TexturedSplatVertex, constants).c_str(),
-    specialized(points ? TexturedSplatPointFragment : TexturedSplatFragment, constants).c_str(),
-    points ? "" : specialized(TexturedSplatGeometry, constants).c_str());
+    Specialized(points ? TexturedSplatPointVertex : TexturedSplatVertex, constants).c_str(),
+    Specialized(points ? TexturedSplatPointFragment : TexturedSplatFragment, constants).c_str(),
+    points ? "" : Specialized(TexturedSplatGeometry, constants).c_str());
   if (!program)
   {
     return "the shaders did not compile";
   }
   this->Bind(program);
-  setSamplersApart(program);
+  SetSamplersApart(program);
   this->SetUniforms(program, view, options);
   program->SetUniformi("splats", this->Splats.Activate());
   program->SetUniformi("splatColors", this->Colors.Activate());
@@ -376,10 +376,10 @@ void SplatPass::SetUniforms(
   program->SetUniform4f("rayOfPixel", RayOfPixel(view.ViewToDevice, this->PixelsPerDevice).data());
   program->SetUniformi("opaqueDepth", this->DepthUnit);
   program->SetUniformi("depthRanges", this->DepthUnit);
-  const std::array<float, 4> depthToVC = depthToView(view.ViewToDevice);
+  const std::array<float, 4> depthToVC = DepthToViewOf(view.ViewToDevice);
   program->SetUniform4f("depthToVC", depthToVC.data());
   program->SetUniformi("testsFarEnds", this->Peeled && this->TestsFarEnds);
-  program->SetUniform2f("sliceZ", zOfSlice(depthToVC).data());
+  program->SetUniform2f("sliceZ", ZOfSlice(depthToVC).data());
   SetRegionUniforms(program, view, options, this->PixelsPerDevice);
 }
 

@@ -22,7 +22,7 @@ constexpr std::size_t probes = 64;
 constexpr std::size_t all =
   std::numeric_limits<std::size_t>::max(); // vectors in layers are more than the splats
 
-SplatMatrix turned(const SplatSamples::Jacobian& jacobian, const SplatMatrix& toView)
+SplatMatrix Turned(const SplatSamples::Jacobian& jacobian, const SplatMatrix& toView)
 {
   SplatMatrix result;
   for (std::size_t c = 0; c < 3; ++c)
@@ -33,7 +33,7 @@ SplatMatrix turned(const SplatSamples::Jacobian& jacobian, const SplatMatrix& to
 }
 
 // Squares over parallelograms, in the mean of a few splats.
-double meanExcess(const SplatSamples& samples, const SplatMatrix& toView)
+double MeanExcess(const SplatSamples& samples, const SplatMatrix& toView)
 {
   const std::size_t count = samples.SomeJacobians.size();
   const std::size_t step = std::max<std::size_t>(count / probes, 1);
@@ -41,17 +41,17 @@ double meanExcess(const SplatSamples& samples, const SplatMatrix& toView)
   std::size_t seen = 0;
   for (std::size_t i = 0; i < count; i += step, ++seen)
   {
-    sum += SquareExcess(turned(samples.SomeJacobians[i], toView));
+    sum += SquareExcess(Turned(samples.SomeJacobians[i], toView));
   }
   return seen > 0 ? sum / static_cast<double>(seen) : 1.0;
 }
 
-SplatEye eyeOf(const SceneView& view)
+SplatEye EyeOf(const SceneView& view)
 {
   return { { view.EyeModel[0], view.EyeModel[1], view.EyeModel[2], view.EyeModel[3] } };
 }
 
-double largestSlope(vtkMatrix4x4* viewToDevice)
+double FindLargestSlope(vtkMatrix4x4* viewToDevice)
 {
   double sum = 0.0;
   for (int i = 0; i < 2; ++i)
@@ -89,7 +89,7 @@ SplatMetric MetricOf(const SplatMatrix& toView)
   {
     for (std::size_t row = 0; row < 3; ++row)
     {
-      metric[column][row] = dot(toView[row], toView[column]);
+      metric[column][row] = Dot(toView[row], toView[column]);
     }
   }
   return metric;
@@ -100,7 +100,7 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
 {
   const SplatMatrix toView = ToViewMatrix(view);
   const SplatMetric metric = MetricOf(toView);
-  const SplatEye eye = eyeOf(view);
+  const SplatEye eye = EyeOf(view);
   SplatReach reach;
   const double radius = KernelRadius(options.Kernel) * LargestStretch(toView);
   reach.Radius = radius * splats.LongestEdge;
@@ -109,14 +109,14 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
     reach.PixelsPerSlope =
       std::max(reach.PixelsPerSlope, 0.5 * pixels[i] * view.ViewToDevice->GetElement(i, i));
   }
-  reach.LargestSlope = largestSlope(view.ViewToDevice);
+  reach.LargestSlope = FindLargestSlope(view.ViewToDevice);
   reach.LargestPoint = SplatPass::LargestPoint;
   const auto within = [&](double distance) {
     return CountNear(splats.Places, splats.Items, splats.Order, eye, distance, metric);
   };
   options.NearSplats = within(1.3 * radius * samples.LongestEdge);
   options.LargeSplats = options.CloserSplats = all;
-  if (options.Vectors || meanExcess(samples, toView) > largestExcess)
+  if (options.Vectors || MeanExcess(samples, toView) > largestExcess)
   {
     return;
   }
@@ -132,7 +132,7 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
 void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
   const std::array<double, 2>& distances, SplatDrawingOptions& options)
 {
-  const SplatEye eye = eyeOf(view);
+  const SplatEye eye = EyeOf(view);
   if (eye[3] == 0)
   {
     return;
@@ -144,7 +144,7 @@ void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
     options.SegmentLength };
   const double ofVectors = options.Vectors ? VectorReach(look, kernel, splats.LongestEdge) : 0.0;
   const double reach = LargestStretch(toView) * std::max(kernel * splats.LongestEdge, ofVectors);
-  const double slope = largestSlope(view.ViewToDevice);
+  const double slope = FindLargestSlope(view.ViewToDevice);
   const auto within = [&](double distance) {
     return distance > 0
       ? CountNear(splats.Places, splats.Items, splats.Order, eye, distance, metric)

@@ -16,7 +16,7 @@ namespace nephoscope
 namespace
 {
 // The plane x = bound along an axis of the model, of points in view coordinates; infinitely far for an infinite bound.
-void planeOf(vtkMatrix4x4* viewToModel, int axis, double bound, float plane[4])
+void PlaneOf(vtkMatrix4x4* viewToModel, int axis, double bound, float plane[4])
 {
   const bool bounded = std::isfinite(bound);
   for (int i = 0; i < 3; ++i)
@@ -30,7 +30,7 @@ void planeOf(vtkMatrix4x4* viewToModel, int axis, double bound, float plane[4])
 
 std::array<float, 4> RayOfPixel(vtkMatrix4x4* viewToDevice, const float pixelsPerDevice[2])
 {
-  const int shift = isParallel(viewToDevice) ? 3 : 2; // the column that moves the image
+  const int shift = IsParallelProjection(viewToDevice) ? 3 : 2; // the column that moves the image
   const double sign = shift == 3 ? -1.0 : 1.0;
   std::array<float, 4> ray;
   for (int i = 0; i < 2; ++i)
@@ -56,8 +56,8 @@ void SetRegionUniforms(vtkShaderProgram* program, const SceneView& view,
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto at = 2 * static_cast<std::size_t>(axis);
-    planeOf(viewToModel, axis, options.Region[at], low[axis]);
-    planeOf(viewToModel, axis, options.Region[at + 1], high[axis]);
+    PlaneOf(viewToModel, axis, options.Region[at], low[axis]);
+    PlaneOf(viewToModel, axis, options.Region[at + 1], high[axis]);
   }
   program->SetUniform4fv("regionLow", 3, low);
   program->SetUniform4fv("regionHigh", 3, high);

@@ -20,7 +20,7 @@ namespace nephoscope
 {
 namespace
 {
-auto keyOf(vtkDataSet* input, const SplatSampling& sampling)
+auto KeyOf(vtkDataSet* input, const SplatSampling& sampling)
 {
   return std::make_tuple(input, input->GetMTime(), sampling.OnCells, sampling.CellSize,
     sampling.ShapeArrayName, sampling.RadiusFactor, sampling.Frame, sampling.SizeArrayName,
@@ -31,12 +31,12 @@ auto keyOf(vtkDataSet* input, const SplatSampling& sampling)
 const double* SplatScene::UpdateBounds(vtkDataSet* input, const SplatSampling& sampling, int kernel,
   const std::string& vectorArrayName, const VectorLook& look)
 {
-  const BoundsKey key(keyOf(input, sampling), kernel, vectorArrayName, look.Segments, look.Unit,
+  const BoundsKey key(KeyOf(input, sampling), kernel, vectorArrayName, look.Segments, look.Unit,
     look.StreakPeriod, look.SegmentLength);
   if (key != this->BoundsOf)
   {
     this->BoundsOf = key;
-    withThreads([&]() {
+    WithThreads([&]() {
       const SplatShapes shapes(input, sampling);
       const double radius = KernelRadius(static_cast<SplatKernel>(kernel));
       FindSplatBounds(shapes, radius, this->Bounds);
@@ -57,7 +57,7 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
   const SplatFields& fields, const SplatVectorSettings& vectors)
 {
   const bool haveVectors = !vectors.ArrayName.empty();
-  const SampleKey samples = keyOf(input, sampling);
+  const SampleKey samples = KeyOf(input, sampling);
   const ClassKey classes(fields.Scalars.Array, fields.Opacity.Array, fields.Scalars.Component,
     fields.Property->GetMTime(), input->GetMTime(), haveVectors, fields.Interpolate);
   this->From = { input, sampling, fields, haveVectors };
@@ -76,7 +76,7 @@ std::string SplatScene::Update(vtkDataSet* input, const SplatSampling& sampling,
 std::string SplatScene::FindSamples(bool changed, bool reclassified)
 {
   std::string error;
-  withThreads([&]() {
+  WithThreads([&]() {
     if (changed)
     {
       this->Samples = FindSplatSamples(this->From.Input, this->From.Sampling, error);
@@ -112,7 +112,7 @@ void SplatScene::RestoreJacobians()
 {
   if (this->Samples.Jacobians.empty())
   {
-    withThreads(
+    WithThreads(
       [&]() { FindJacobians(SplatShapes(this->From.Input, this->From.Sampling), this->Samples); });
   }
 }
@@ -121,7 +121,7 @@ void SplatScene::RestoreColors()
 {
   if (this->Classes.Colors.empty() && !this->Classes.Samples.empty())
   {
-    withThreads([&]() { this->Classify(); });
+    WithThreads([&]() { this->Classify(); });
   }
 }
 
@@ -202,7 +202,7 @@ void SplatScene::DrawNodes(const SplatErrorRule& errors, const SplatCutRule& rul
   this->SetDrawsHierarchy(true);
   this->RestoreJacobians();
   this->RestoreColors();
-  withThreads([&]() {
+  WithThreads([&]() {
     if (this->Hierarchy.Update(this->Samples, this->Classes, this->VectorScene, vectorArrayName))
     {
       this->CellsUploaded = this->ColorsUploaded = false;
@@ -223,7 +223,7 @@ void SplatScene::UpdateOrder(const ViewState& state)
     return;
   }
   this->CameraMoved = !this->Order.empty();
-  withThreads([&]() { this->Order = OrderSplats(this->Places(), this->Drawn(), eye, metric); });
+  WithThreads([&]() { this->Order = OrderSplats(this->Places(), this->Drawn(), eye, metric); });
   this->Eye = eye;
   this->Metric = metric;
   this->OrderUploaded = false;

@@ -17,7 +17,7 @@ constexpr double largestNode = 4096; // of a sparse volume's tree, in voxels
 constexpr std::uint32_t mostBlocks = 1u << BlockOrder::mostBits;
 
 // Lengths of the cells of some of the samples, in the mean.
-std::array<double, 3> meanEdges(const SplatSamples& samples, const SplatClasses& classes)
+std::array<double, 3> MeanEdges(const SplatSamples& samples, const SplatClasses& classes)
 {
   const std::size_t stride = 1 + classes.Samples.size() / 10000;
   std::array<double, 3> edges{};
@@ -26,7 +26,7 @@ std::array<double, 3> meanEdges(const SplatSamples& samples, const SplatClasses&
     const auto& j = samples.JacobianOf(static_cast<std::size_t>(classes.Samples[i]));
     for (std::size_t c = 0; c < 3; ++c)
     {
-      edges[c] += norm(ToDouble(j[c]));
+      edges[c] += Norm(ToDouble(j[c]));
     }
   }
   return edges;
@@ -42,7 +42,7 @@ SplatBlocks::SplatBlocks(const SplatSamples& samples, const SplatClasses& classe
   {
     this->As = Kind::Grid;
     this->Order = BlockOrder({ { std::uint32_t(n[0]), std::uint32_t(n[1]), std::uint32_t(n[2]) } },
-      meanEdges(samples, classes));
+      MeanEdges(samples, classes));
   }
   else if (!samples.AreVoxels || !this->UseVoxels())
   {
@@ -95,7 +95,7 @@ bool SplatBlocks::UseVoxels()
       return false;
     }
     sizes[c] = static_cast<std::uint32_t>(size);
-    edges[c] = norm(this->Samples.Voxel[c]);
+    edges[c] = Norm(this->Samples.Voxel[c]);
   }
   this->As = Kind::Voxels;
   this->Order = BlockOrder(sizes, edges);

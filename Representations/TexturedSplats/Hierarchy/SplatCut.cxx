@@ -144,7 +144,7 @@ private:
  * The least tolerance that leaves no more than so many splats. A node is gone below if the least error on the way to it, its own
  * included, is above `full` = (1 - blend) tolerance, and is drawn all the same if its own is below the tolerance.
  */
-double findTolerance(
+double FindTolerance(
   const SplatTree& tree, const std::vector<float>& errors, double blend, std::size_t most)
 {
   struct Step
@@ -204,7 +204,7 @@ SplatCut CutSplatTree(
   if (rule.MostSplats > 0 && cut.Splats.size() > rule.MostSplats)
   {
     const double least =
-      std::max(rule.Tolerance, findTolerance(tree, errors, rule.Blend, rule.MostSplats));
+      std::max(rule.Tolerance, FindTolerance(tree, errors, rule.Blend, rule.MostSplats));
     cut = Descent(tree, errors, least, rule.Blend).Find();
   }
   return cut;

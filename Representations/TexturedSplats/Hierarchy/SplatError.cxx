@@ -36,20 +36,20 @@ struct Screen
   {
     Vector3 ray = { { view.Eye[0], view.Eye[1], view.Eye[2] } };
     ray = view.Eye[3] != 0 ? place - ray : ray;
-    const double length = norm(ray);
+    const double length = Norm(ray);
     this->Distance = view.Eye[3] != 0 ? length : 1;
     this->Pixel = view.Pixel * this->Distance;
     std::size_t least = std::abs(ray[0]) < std::abs(ray[1]) ? 0 : 1;
     least = std::abs(ray[2]) < std::abs(ray[least]) ? 2 : least;
     Vector3 other{};
     other[least] = 1;
-    this->Right = cross(other, ray);
-    const double across = norm(this->Right);
+    this->Right = Cross(other, ray);
+    const double across = Norm(this->Right);
     for (double& e : this->Right)
     {
       e /= across > 0 ? across : 1;
     }
-    this->Up = cross(ray, this->Right);
+    this->Up = Cross(ray, this->Right);
     for (double& e : this->Up)
     {
       e /= length > 0 ? length : 1;
@@ -61,12 +61,12 @@ struct Screen
   {
     Picture picture;
     const Vector3 offset = place - this->Center;
-    picture.Place = { { dot(offset, this->Right), dot(offset, this->Up) } };
+    picture.Place = { { Dot(offset, this->Right), Dot(offset, this->Up) } };
     const double spread = pixelVariance * this->Pixel * this->Pixel;
     double xx = 0, xy = 0, yy = 0;
     for (const Vector3& column : jacobian)
     {
-      const double x = dot(column, this->Right), y = dot(column, this->Up);
+      const double x = Dot(column, this->Right), y = Dot(column, this->Up);
       xx += x * x;
       xy += x * y;
       yy += y * y;
@@ -80,12 +80,12 @@ struct Screen
 };
 
 // The length of a ray of this direction (of any length) in a cell: 1 / |J^-1 e|.
-double thickness(const SplatMatrix& j, const Vector3& direction)
+double Thickness(const SplatMatrix& j, const Vector3& direction)
 {
-  const Vector3 rows[3] = { cross(j[1], j[2]), cross(j[2], j[0]), cross(j[0], j[1]) };
-  const Vector3 cells = { { dot(rows[0], direction), dot(rows[1], direction),
-    dot(rows[2], direction) } };
-  return std::abs(dot(j[0], rows[0])) * norm(direction) / norm(cells);
+  const Vector3 rows[3] = { Cross(j[1], j[2]), Cross(j[2], j[0]), Cross(j[0], j[1]) };
+  const Vector3 cells = { { Dot(rows[0], direction), Dot(rows[1], direction),
+    Dot(rows[2], direction) } };
+  return std::abs(Dot(j[0], rows[0])) * Norm(direction) / Norm(cells);
 }
 
 class ErrorFinder
@@ -136,7 +136,7 @@ private:
   template <typename Body>
   void ForNodes(Body body) const
   {
-    forAll(this->Tree.Nodes().size(), body);
+    ForAll(this->Tree.Nodes().size(), body);
   }
 
   Picture PictureOf(std::int32_t splat, const Screen& screen) const
@@ -200,7 +200,7 @@ private:
     if (greatest)
     {
       error =
-        std::max(error, node.GreatestError * thickness(jacobian, cross(screen.Right, screen.Up)));
+        std::max(error, node.GreatestError * Thickness(jacobian, Cross(screen.Right, screen.Up)));
     }
     error = this->Rule.Extinction * error + vector;
     return this->Rule.As == SplatErrorRule::Measure::Picture

@@ -16,17 +16,17 @@ namespace nephoscope
 {
 namespace
 {
-auto asTuple(const SplatErrorRule& r)
+auto AsTuple(const SplatErrorRule& r)
 {
   return std::make_tuple(r.As, r.OfImage, r.Extinction, r.Vector, r.KernelRadius);
 }
 
-auto asTuple(const SplatCutRule& r)
+auto AsTuple(const SplatCutRule& r)
 {
   return std::make_tuple(r.Tolerance, r.Blend, r.MostSplats);
 }
 
-auto asTuple(const SplatCutView& v)
+auto AsTuple(const SplatCutView& v)
 {
   return std::make_tuple(v.Eye, v.Pixel, v.ToWorld);
 }
@@ -77,9 +77,9 @@ void SplatHierarchy::Build(const SplatSamples& samples, const SplatClasses& clas
 bool SplatHierarchy::Select(const SplatSamples& samples, const SplatClasses& classes,
   const SplatErrorRule& errors, const SplatCutRule& rule, const SplatCutView& view)
 {
-  const bool sameErrors = this->Selected && asTuple(errors) == asTuple(this->LastErrors) &&
-    asTuple(view) == asTuple(this->LastView);
-  if (sameErrors && asTuple(rule) == asTuple(this->LastRule))
+  const bool sameErrors = this->Selected && AsTuple(errors) == AsTuple(this->LastErrors) &&
+    AsTuple(view) == AsTuple(this->LastView);
+  if (sameErrors && AsTuple(rule) == AsTuple(this->LastRule))
   {
     return false;
   }

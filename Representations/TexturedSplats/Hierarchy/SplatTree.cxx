@@ -19,7 +19,7 @@ namespace nephoscope
 {
 namespace
 {
-std::array<float, 3> toFloat(const Vector3& v)
+std::array<float, 3> ToFloat(const Vector3& v)
 {
   return { { static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]) } };
 }
@@ -83,7 +83,7 @@ private:
     const SplatBlocks blocks(this->Samples, this->Classes);
     this->Blocks = blocks.GetOrder();
     this->Items.resize(this->Tree.LeafCount);
-    forAll(this->Items.size(), [&](std::size_t i) {
+    ForAll(this->Items.size(), [&](std::size_t i) {
       const auto leaf = static_cast<std::int32_t>(i);
       this->Items[i] = { this->Blocks.CodeOf(blocks.IndexOf(this->SampleOf(leaf))), leaf };
     });
@@ -131,14 +131,14 @@ private:
     const SplatSummary splat = Summarize(branch, below.begin(), below.end());
     this->Branches[number] = branch;
     SplatTreeNode& node = this->Tree.NodeList[number];
-    node.Position = toFloat(splat.Place);
+    node.Position = ToFloat(splat.Place);
     for (std::size_t c = 0; c < 3; ++c)
     {
-      node.Jacobian[c] = toFloat(splat.Jacobian[c]);
+      node.Jacobian[c] = ToFloat(splat.Jacobian[c]);
       node.Color[c] = static_cast<float>(splat.Color[c]);
     }
     node.Color[3] = static_cast<float>(splat.Extinction);
-    node.Vector = toFloat(splat.Vector);
+    node.Vector = ToFloat(splat.Vector);
     node.GreatestError = static_cast<float>(splat.GreatestError);
     node.RootMeanSquareError = static_cast<float>(splat.RootMeanSquareError);
     node.GreatestVectorError = static_cast<float>(splat.GreatestVectorError);
@@ -189,7 +189,7 @@ private:
     this->Tree.NodeList.resize(nodes);
     this->Tree.Children.resize(children);
     std::vector<Item> merged(groups.size());
-    forAll(groups.size(), [&](std::size_t g) {
+    ForAll(groups.size(), [&](std::size_t g) {
       merged[g] = this->Items[groups[g].Begin];
       if (groups[g].Size > 1)
       {

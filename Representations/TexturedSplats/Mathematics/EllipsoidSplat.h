@@ -17,9 +17,9 @@ inline double ReachAlong(const SplatMatrix& jacobian, const Vector3& vector)
   double sum = 0.0;
   for (const Vector3& edge : jacobian)
   {
-    sum += dot(edge, vector) * dot(edge, vector);
+    sum += Dot(edge, vector) * Dot(edge, vector);
   }
-  return std::sqrt(sum) / norm(vector);
+  return std::sqrt(sum) / Norm(vector);
 }
 
 // Columns shorter than `thinnest` of the longest are lengthened to it, for the precision of shaders. Those of cells that degenerate (at a
@@ -30,7 +30,7 @@ inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share, double
   double lengths[3], longest = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
   {
-    lengths[c] = norm(jacobian[c]);
+    lengths[c] = Norm(jacobian[c]);
     longest = std::max(longest, lengths[c]);
   }
   for (std::size_t c = 0; c < 3; ++c)
@@ -43,9 +43,9 @@ inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share, double
     Vector3 direction = jacobian[c];
     if (lengths[c] == 0.0)
     {
-      direction = cross(jacobian[(c + 1) % 3], jacobian[(c + 2) % 3]);
+      direction = Cross(jacobian[(c + 1) % 3], jacobian[(c + 2) % 3]);
     }
-    const double length = norm(direction);
+    const double length = Norm(direction);
     for (std::size_t i = 0; i < 3; ++i)
     {
       jacobian[c][i] = length > 0.0 ? target * direction[i] / length : (i == c ? target : 0.0);

@@ -82,7 +82,7 @@ namespace quadratic_kernel
 {
 constexpr double innerRadius = 0.48470;
 constexpr double radius = 1.37790;
-constexpr double ring(double r) // integral of r (radius - r)^2
+constexpr double Ring(double r) // integral of r (radius - r)^2
 {
   return r * r * (radius * radius / 2.0 - 2.0 * radius * r / 3.0 + r * r / 4.0);
 }
@@ -90,7 +90,7 @@ constexpr double ring(double r) // integral of r (radius - r)^2
 constexpr double inner = 1.0 /
   (6.283185307179586 *
     (innerRadius * innerRadius * innerRadius * (radius / 2.0 - innerRadius / 4.0) +
-      innerRadius / (radius - innerRadius) * (ring(radius) - ring(innerRadius))));
+      innerRadius / (radius - innerRadius) * (Ring(radius) - Ring(innerRadius))));
 constexpr double outer = inner * innerRadius / (radius - innerRadius);
 
 inline double Footprint(double rho)

@@ -41,14 +41,14 @@ inline SplatMatrix Product(const SplatMatrix& m, const SplatMatrix& n)
 
 inline double Determinant(const SplatMatrix& m)
 {
-  return tripleProduct(m[1], m[2], m[0]);
+  return TripleProduct(m[1], m[2], m[0]);
 }
 
 // Largest factor by which a matrix stretches a vector.
 inline double LargestStretch(const SplatMatrix& m)
 {
-  const double a = dot(m[0], m[0]), b = dot(m[1], m[1]), c = dot(m[2], m[2]);
-  const double d = dot(m[0], m[1]), e = dot(m[1], m[2]), f = dot(m[0], m[2]);
+  const double a = Dot(m[0], m[0]), b = Dot(m[1], m[1]), c = Dot(m[2], m[2]);
+  const double d = Dot(m[0], m[1]), e = Dot(m[1], m[2]), f = Dot(m[0], m[2]);
   const double mean = (a + b + c) / 3.0;
   const double square = ((a - mean) * (a - mean) + (b - mean) * (b - mean) +
                           (c - mean) * (c - mean) + 2.0 * (d * d + e * e + f * f)) /
@@ -69,7 +69,7 @@ inline double LargestStretch(const SplatMatrix& m)
 inline SplatMatrix Inverse(const SplatMatrix& m)
 {
   const double d = 1.0 / Determinant(m);
-  const Vector3 rows[3] = { cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1]) };
+  const Vector3 rows[3] = { Cross(m[1], m[2]), Cross(m[2], m[0]), Cross(m[0], m[1]) };
   SplatMatrix inverse;
   for (std::size_t column = 0; column < 3; ++column)
   {

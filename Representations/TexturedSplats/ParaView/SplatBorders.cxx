@@ -28,28 +28,28 @@ namespace
 {
 using Flags = std::vector<unsigned char>;
 
-vtkMultiProcessController* allRanks()
+vtkMultiProcessController* AllRanks()
 {
   return vtkMultiProcessController::GetGlobalController();
 }
 
 // Particles, each in a cell of its own, are none.
-bool isMesh(vtkDataSet* piece)
+bool IsMesh(vtkDataSet* piece)
 {
   int extent[6];
-  return !HasOnlyVertices(piece) && !extentOf(piece, extent);
+  return !HasOnlyVertices(piece) && !ExtentOf(piece, extent);
 }
 
-bool isMeshOnAnyRank(vtkDataSet* piece)
+bool IsMeshOnAnyRank(vtkDataSet* piece)
 {
-  const int mine = isMesh(piece) ? 1 : 0;
+  const int mine = IsMesh(piece) ? 1 : 0;
   int any = 0;
-  allRanks()->AllReduce(&mine, &any, 1, vtkCommunicator::MAX_OP);
+  AllRanks()->AllReduce(&mine, &any, 1, vtkCommunicator::MAX_OP);
   return any != 0;
 }
 
 // Its points or, for a polyhedron, its faces: what vtkUnstructuredGrid::InsertNextCell takes.
-void describeCell(vtkDataSet* data, vtkIdType cell, vtkIdList* ids)
+void DescribeCell(vtkDataSet* data, vtkIdType cell, vtkIdList* ids)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   if (grid && data->GetCellType(cell) == VTK_POLYHEDRON)
@@ -64,7 +64,7 @@ void describeCell(vtkDataSet* data, vtkIdType cell, vtkIdList* ids)
 
 // Calls visit(id) for the points in the description of a cell, which may change them.
 template <typename Visit>
-void forEachPoint(int type, vtkIdType* ids, vtkIdType count, const Visit& visit)
+void ForEachPoint(int type, vtkIdType* ids, vtkIdType count, const Visit& visit)
 {
   if (type != VTK_POLYHEDRON)
   {
@@ -116,8 +116,8 @@ public:
         places.push_back({ { x[0], x[1], x[2] } });
       }
     }
-    std::vector<Flags> near(static_cast<std::size_t>(allRanks()->GetNumberOfProcesses()));
-    for (const SharedPlace& shared : placesOfSeveralRanks(places))
+    std::vector<Flags> near(static_cast<std::size_t>(AllRanks()->GetNumberOfProcesses()));
+    for (const SharedPlace& shared : PlacesOfSeveralRanks(places))
     {
       Flags& flags = near[static_cast<std::size_t>(shared.Rank)];
       flags.resize(this->HasOwnCell.size(), 0);
@@ -148,7 +148,7 @@ public:
       const auto type = static_cast<int>(cells[at]);
       const vtkIdType count = cells[at + 1];
       vtkIdType* ids = &cells[at + 2];
-      forEachPoint(type, ids, count, [&](vtkIdType& id) { id += first; });
+      ForEachPoint(type, ids, count, [&](vtkIdType& id) { id += first; });
       this->Insert(type, ids, count);
       at += 2 + static_cast<std::size_t>(count);
     }
@@ -175,8 +175,8 @@ private:
       if (this->IsOwn(cell))
       {
         const int type = this->Piece->GetCellType(cell);
-        describeCell(this->Piece, cell, ids);
-        forEachPoint(type, ids->GetPointer(0), ids->GetNumberOfIds(),
+        DescribeCell(this->Piece, cell, ids);
+        ForEachPoint(type, ids->GetPointer(0), ids->GetNumberOfIds(),
           [&](vtkIdType id) { this->HasOwnCell[static_cast<std::size_t>(id)] = 1; });
         this->Insert(type, ids->GetPointer(0), ids->GetNumberOfIds());
       }
@@ -236,8 +236,8 @@ private:
         continue;
       }
       const int type = this->Grid->GetCellType(cell);
-      describeCell(this->Grid, cell, ids);
-      forEachPoint(type, ids->GetPointer(0), ids->GetNumberOfIds(), [&](vtkIdType& id) {
+      DescribeCell(this->Grid, cell, ids);
+      ForEachPoint(type, ids->GetPointer(0), ids->GetNumberOfIds(), [&](vtkIdType& id) {
         const auto found = numbers.emplace(id, static_cast<vtkIdType>(numbers.size()));
         if (found.second)
         {
@@ -260,16 +260,16 @@ private:
 };
 } // namespace
 
-vtkSmartPointer<vtkDataSet> withCellsOfOtherRanks(vtkDataSet* piece)
+vtkSmartPointer<vtkDataSet> WithCellsOfOtherRanks(vtkDataSet* piece)
 {
-  if (!isMeshOnAnyRank(piece))
+  if (!IsMeshOnAnyRank(piece))
   {
     return nullptr;
   }
   BorderMesh mesh(piece);
   const Parcels parcels = mesh.PackForRanks();
-  auto cells = tradeRecords(allRanks(), parcels.Cells);
-  const auto places = tradeRecords(allRanks(), parcels.Places);
+  auto cells = TradeRecords(AllRanks(), parcels.Cells);
+  const auto places = TradeRecords(AllRanks(), parcels.Places);
   for (std::size_t rank = 0; rank < cells.size(); ++rank)
   {
     mesh.Add(cells[rank], places[rank]);

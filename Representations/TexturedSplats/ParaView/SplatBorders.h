@@ -15,7 +15,7 @@ namespace nephoscope
  * A mesh whose first points are those of `piece`, with the shown cells that this rank owns and the cells of other ranks near the points that they share: three
  * layers, since the shape of a sample depends on its neighbours, and theirs on their own. Null where no rank has a mesh. Collective.
  */
-vtkSmartPointer<vtkDataSet> withCellsOfOtherRanks(vtkDataSet* piece);
+vtkSmartPointer<vtkDataSet> WithCellsOfOtherRanks(vtkDataSet* piece);
 
 } // namespace nephoscope
 

@@ -16,7 +16,7 @@ namespace nephoscope
 {
 namespace
 {
-int sizeAlong(const int extent[6], int axis)
+int SizeAlong(const int extent[6], int axis)
 {
   return extent[2 * axis + 1] - extent[2 * axis] + 1;
 }
@@ -41,14 +41,14 @@ SplatGridSeam::SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents,
   }
   if (piece)
   {
-    extentOf(piece, this->Mine);
+    ExtentOf(piece, this->Mine);
   }
-  if (!anyCurved || sizeAlong(this->Whole, axis) < SplatSeam::FewestColumns)
+  if (!anyCurved || SizeAlong(this->Whole, axis) < SplatSeam::FewestColumns)
   {
     return;
   }
-  const auto rows = static_cast<std::size_t>(sizeAlong(this->Whole, this->Across[0])) *
-    static_cast<std::size_t>(sizeAlong(this->Whole, this->Across[1]));
+  const auto rows = static_cast<std::size_t>(SizeAlong(this->Whole, this->Across[0])) *
+    static_cast<std::size_t>(SizeAlong(this->Whole, this->Across[1]));
   this->Columns.assign(12 * rows, -VTK_DOUBLE_MAX);
   if (curved)
   {
@@ -86,9 +86,9 @@ int SplatGridSeam::IndexOf(vtkIdType id, int axis) const
 {
   for (int lower = 0; lower < axis; ++lower)
   {
-    id /= sizeAlong(this->Mine, lower);
+    id /= SizeAlong(this->Mine, lower);
   }
-  return this->Mine[2 * axis] + static_cast<int>(id % sizeAlong(this->Mine, axis));
+  return this->Mine[2 * axis] + static_cast<int>(id % SizeAlong(this->Mine, axis));
 }
 
 int SplatGridSeam::Column(vtkIdType id) const
@@ -101,7 +101,7 @@ std::size_t SplatGridSeam::Row(vtkIdType id) const
   const int a = this->Across[0], b = this->Across[1];
   const vtkIdType j = this->IndexOf(id, a) - this->Whole[2 * a];
   const vtkIdType k = this->IndexOf(id, b) - this->Whole[2 * b];
-  return static_cast<std::size_t>(k * sizeAlong(this->Whole, a) + j);
+  return static_cast<std::size_t>(k * SizeAlong(this->Whole, a) + j);
 }
 
 Vector3 SplatGridSeam::PlaceOf(std::size_t column, std::size_t row) const
@@ -124,7 +124,7 @@ void SplatGridSeam::MendEdge(vtkIdType id, SplatMatrix& jacobian) const
     const Vector3 across = this->PlaceOf(1, this->Row(id)) - this->PlaceOf(2, this->Row(id));
     Vector3& column = jacobian[static_cast<std::size_t>(this->Axis)];
     // At a pole there is no length across; beside it needles have been widened.
-    const double length = 0.5 * norm(across), widened = norm(column);
+    const double length = 0.5 * Norm(across), widened = Norm(column);
     const double scale = 0.5 * (widened > 1.5 * length ? widened / length : 1.0);
     column = length > 1e-6 * widened
       ? Vector3{ { scale * across[0], scale * across[1], scale * across[2] } }

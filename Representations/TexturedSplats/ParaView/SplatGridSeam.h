@@ -18,7 +18,7 @@ namespace nephoscope
 class SplatGridSeam
 {
 public:
-  /** Along one axis, 0 to 2. `extents` of the points of all ranks, as findExtentsOfRanks makes them. Collective. */
+  /** Along one axis, 0 to 2. `extents` of the points of all ranks, as FindExtentsOfRanks makes them. Collective. */
   SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents, int axis);
 
   /** Whether a point is in the last column of a closed grid, which is the first once more. */

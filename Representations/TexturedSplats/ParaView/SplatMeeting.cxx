@@ -31,17 +31,17 @@ namespace
 constexpr int exchangeTag = 5208;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-vtkMultiProcessController* world()
+vtkMultiProcessController* World()
 {
   return vtkMultiProcessController::GetGlobalController();
 }
 
-SplatShapes shapesOf(vtkDataSet* vertices)
+SplatShapes ShapesOf(vtkDataSet* vertices)
 {
   return SplatShapes(vertices, { true, 1.0, splatShapeName }); // the size is not used
 }
 
-bool fillsBox(const std::vector<vtkBoundingBox>& boxes, const vtkBoundingBox& all)
+bool FillsBox(const std::vector<vtkBoundingBox>& boxes, const vtkBoundingBox& all)
 {
   double lengths[3];
   all.GetLengths(lengths);
@@ -81,7 +81,7 @@ bool fillsBox(const std::vector<vtkBoundingBox>& boxes, const vtkBoundingBox& al
   return std::abs(sum - 1) < 1e-9;
 }
 
-double reachOf(const SplatReaches& reaches, double stretch)
+double ReachOf(const SplatReaches& reaches, double stretch)
 {
   const double kernel = reaches.KernelRadius * stretch;
   return SplatReachAround(reaches.Vectors
@@ -90,18 +90,18 @@ double reachOf(const SplatReaches& reaches, double stretch)
 }
 
 // For every rank, which of this rank's vertices reach into its region.
-std::vector<vtkSmartPointer<vtkIdList>> idsForRanks(
+std::vector<vtkSmartPointer<vtkIdList>> IdsForRanks(
   vtkDataSet* vertices, const std::vector<SplatRegion>& regions, const SplatReaches& reaches)
 {
   std::vector<vtkSmartPointer<vtkIdList>> ids(regions.size());
   std::generate(ids.begin(), ids.end(), []() { return vtkSmartPointer<vtkIdList>::New(); });
-  const SplatShapes shapes = shapesOf(vertices);
-  const auto mine = static_cast<std::size_t>(world()->GetLocalProcessId());
+  const SplatShapes shapes = ShapesOf(vertices);
+  const auto mine = static_cast<std::size_t>(World()->GetLocalProcessId());
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
     const Vector3 place = shapes.Place(id);
     const double reach =
-      reachOf(reaches, reaches.RadiusFactor * LargestStretch(shapes.Jacobian(id)));
+      ReachOf(reaches, reaches.RadiusFactor * LargestStretch(shapes.Jacobian(id)));
     for (std::size_t rank = 0; rank < regions.size(); ++rank)
     {
       if (rank != mine && IsRegion(regions[rank]) && Touches(regions[rank], place.data(), reach))
@@ -113,7 +113,7 @@ std::vector<vtkSmartPointer<vtkIdList>> idsForRanks(
   return ids;
 }
 
-void mark(vtkDataSet* vertices, unsigned char ghost)
+void Mark(vtkDataSet* vertices, unsigned char ghost)
 {
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -122,54 +122,54 @@ void mark(vtkDataSet* vertices, unsigned char ghost)
   vertices->GetCellData()->AddArray(ghosts);
 }
 
-std::vector<vtkSmartPointer<vtkDataObject>> tradeWithRanks(
+std::vector<vtkSmartPointer<vtkDataObject>> TradeWithRanks(
   vtkDataSet* vertices, const std::vector<vtkSmartPointer<vtkIdList>>& ids)
 {
-  const int ranks = world()->GetNumberOfProcesses();
-  const int mine = world()->GetLocalProcessId();
+  const int ranks = World()->GetNumberOfProcesses();
+  const int mine = World()->GetLocalProcessId();
   std::vector<vtkIdType> counts, all(ids.size() * ids.size()); // from row to column
   for (const auto& list : ids)
   {
     counts.push_back(list->GetNumberOfIds());
   }
-  world()->AllGather(counts.data(), all.data(), ranks);
+  World()->AllGather(counts.data(), all.data(), ranks);
   std::vector<vtkSmartPointer<vtkDataObject>> received;
   const auto send = [&](int rank) {
     vtkIdList* list = ids[static_cast<std::size_t>(rank)];
     if (list->GetNumberOfIds() > 0)
     {
-      world()->Send(chosenVertices(vertices, list), rank, exchangeTag);
+      World()->Send(ChosenVertices(vertices, list), rank, exchangeTag);
     }
   };
   const auto receive = [&](int rank) {
     if (all[static_cast<std::size_t>(rank * ranks + mine)] > 0)
     {
       received.push_back(
-        vtkSmartPointer<vtkDataObject>::Take(world()->ReceiveDataObject(rank, exchangeTag)));
+        vtkSmartPointer<vtkDataObject>::Take(World()->ReceiveDataObject(rank, exchangeTag)));
     }
   };
-  meetOtherRanks(world(), send, receive);
+  MeetOtherRanks(World(), send, receive);
   return received;
 }
 } // namespace
 
-SpeedCounts speedsOfRanks(const SpeedCounts& mine)
+SpeedCounts SpeedsOfRanks(const SpeedCounts& mine)
 {
   const std::vector<double> counts = mine.GetCounts();
   std::vector<double> sums(counts.size());
   const double local = mine.GetGreatest();
   double greatest = 0;
-  world()->AllReduce(
+  World()->AllReduce(
     counts.data(), sums.data(), static_cast<vtkIdType>(counts.size()), vtkCommunicator::SUM_OP);
-  world()->AllReduce(&local, &greatest, 1, vtkCommunicator::MAX_OP);
+  World()->AllReduce(&local, &greatest, 1, vtkCommunicator::MAX_OP);
   SpeedCounts all;
   all.Set(sums, greatest);
   return all;
 }
 
-SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors)
+SplatCommons FindSplatCommons(vtkDataSet* vertices, const std::string& vectors)
 {
-  const SplatShapes shapes = shapesOf(vertices);
+  const SplatShapes shapes = ShapesOf(vertices);
   vtkBoundingBox mine, all;
   double longest = 0;
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
@@ -182,22 +182,22 @@ SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors)
   const double local[2] = { longest, static_cast<double>(shapes.GetNumberOfIds()) };
   const double localSums[2] = { sums.Cells, sums.Count };
   double greatest[2], sum[2];
-  world()->AllReduce(mine, all);
-  world()->AllReduce(local, greatest, 2, vtkCommunicator::MAX_OP);
-  world()->AllReduce(localSums, sum, 2, vtkCommunicator::SUM_OP);
+  World()->AllReduce(mine, all);
+  World()->AllReduce(local, greatest, 2, vtkCommunicator::MAX_OP);
+  World()->AllReduce(localSums, sum, 2, vtkCommunicator::SUM_OP);
   SplatCommons commons;
   if (all.IsValid())
   {
     all.GetCenter(commons.Origin);
   }
   commons.LongestEdge = greatest[0];
-  commons.MaximumSpeed = speedsOfRanks(sums.Speeds).GetFull();
+  commons.MaximumSpeed = SpeedsOfRanks(sums.Speeds).GetFull();
   commons.MostSamples = static_cast<vtkIdType>(greatest[1]);
   commons.MeanCell = sum[1] > 0 && sum[0] > 0 ? sum[0] / sum[1] : 1.0;
   return commons;
 }
 
-std::vector<SplatRegion> regionsOfRanks(const std::vector<vtkBoundingBox>& boxes)
+std::vector<SplatRegion> RegionsOfRanks(const std::vector<vtkBoundingBox>& boxes)
 {
   vtkBoundingBox all;
   for (const vtkBoundingBox& box : boxes)
@@ -205,7 +205,7 @@ std::vector<SplatRegion> regionsOfRanks(const std::vector<vtkBoundingBox>& boxes
     all.AddBox(box);
   }
   std::vector<SplatRegion> regions;
-  if (boxes.size() < 2 || !all.IsValid() || !fillsBox(boxes, all))
+  if (boxes.size() < 2 || !all.IsValid() || !FillsBox(boxes, all))
   {
     return regions;
   }
@@ -223,19 +223,19 @@ std::vector<SplatRegion> regionsOfRanks(const std::vector<vtkBoundingBox>& boxes
   return regions;
 }
 
-vtkSmartPointer<vtkDataSet> withNeighbors(
+vtkSmartPointer<vtkDataSet> WithNeighbors(
   vtkDataSet* vertices, const std::vector<SplatRegion>& regions, const SplatReaches& reaches)
 {
-  const auto received = tradeWithRanks(vertices, idsForRanks(vertices, regions, reaches));
+  const auto received = TradeWithRanks(vertices, IdsForRanks(vertices, regions, reaches));
   vtkNew<vtkUnstructuredGrid> own;
   own->ShallowCopy(vertices);
-  mark(own, 0);
+  Mark(own, 0);
   vtkNew<vtkAppendFilter> append;
   append->AddInputData(own);
   for (const auto& object : received)
   {
     vtkDataSet* foreign = vtkDataSet::SafeDownCast(object);
-    mark(foreign, vtkDataSetAttributes::DUPLICATECELL);
+    Mark(foreign, vtkDataSetAttributes::DUPLICATECELL);
     append->AddInputData(foreign);
   }
   append->Update();

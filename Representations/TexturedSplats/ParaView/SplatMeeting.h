@@ -31,16 +31,16 @@ struct SplatCommons
 };
 
 /** The speeds of all ranks. Collective. */
-SpeedCounts speedsOfRanks(const SpeedCounts& mine);
+SpeedCounts SpeedsOfRanks(const SpeedCounts& mine);
 
-/** From vertices with the array of shapes that splatVertices makes; `vectors`: name of a cell array, or empty. Collective. */
-SplatCommons findSplatCommons(vtkDataSet* vertices, const std::string& vectors);
+/** From vertices with the array of shapes that SplatVertices makes; `vectors`: name of a cell array, or empty. Collective. */
+SplatCommons FindSplatCommons(vtkDataSet* vertices, const std::string& vectors);
 
 /**
  * The regions of ranks whose boxes, as the view has them, fill a box: grown to infinity where that ends. Empty if they overlap or leave
  * gaps.
  */
-std::vector<SplatRegion> regionsOfRanks(const std::vector<vtkBoundingBox>& boxes);
+std::vector<SplatRegion> RegionsOfRanks(const std::vector<vtkBoundingBox>& boxes);
 
 /** How far splats reach, in cells and units of the data. */
 struct SplatReaches
@@ -55,7 +55,7 @@ struct SplatReaches
  * This rank's vertices, and after them, marked as duplicates, those of other ranks that reach into its region: SplatRegion.h says why.
  * Collective.
  */
-vtkSmartPointer<vtkDataSet> withNeighbors(
+vtkSmartPointer<vtkDataSet> WithNeighbors(
   vtkDataSet* vertices, const std::vector<SplatRegion>& regions, const SplatReaches& reaches);
 
 } // namespace nephoscope

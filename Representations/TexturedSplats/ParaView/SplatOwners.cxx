@@ -21,7 +21,7 @@ namespace nephoscope
 {
 namespace
 {
-bool hasDuplicateCells(vtkDataSet* piece)
+bool HasDuplicateCells(vtkDataSet* piece)
 {
   vtkUnsignedCharArray* flags = piece ? piece->GetCellGhostArray() : nullptr;
   const unsigned char* begin = flags ? flags->GetPointer(0) : nullptr;
@@ -31,7 +31,7 @@ bool hasDuplicateCells(vtkDataSet* piece)
 }
 
 // Marks the points whose cells are all duplicates, and no others; points without cells stay as they are.
-void flagAsCells(vtkDataSet* piece, vtkUnsignedCharArray* points)
+void FlagAsCells(vtkDataSet* piece, vtkUnsignedCharArray* points)
 {
   vtkUnsignedCharArray* flags = piece->GetCellGhostArray();
   const auto count = static_cast<std::size_t>(piece->GetNumberOfPoints());
@@ -60,7 +60,7 @@ void flagAsCells(vtkDataSet* piece, vtkUnsignedCharArray* points)
 }
 
 // The extent of the points that are no duplicates: without the layers of neighbours.
-void leaveOutNeighbors(vtkDataSet* piece, int extent[6])
+void LeaveOutNeighbors(vtkDataSet* piece, int extent[6])
 {
   vtkUnsignedCharArray* ghosts = piece ? piece->GetPointGhostArray() : nullptr;
   if (!ghosts)
@@ -89,10 +89,10 @@ void leaveOutNeighbors(vtkDataSet* piece, int extent[6])
 }
 } // namespace
 
-std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
+std::vector<bool> OwnedByThisRank(const std::vector<Vector3>& places)
 {
   std::vector<bool> owned(places.size(), true);
-  for (const SharedPlace& shared : placesOfSeveralRanks(places))
+  for (const SharedPlace& shared : PlacesOfSeveralRanks(places))
   {
     const int mine = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
     owned[shared.Index] = owned[shared.Index] && mine < shared.Rank;
@@ -100,9 +100,9 @@ std::vector<bool> ownedByThisRank(const std::vector<Vector3>& places)
   return owned;
 }
 
-vtkSmartPointer<vtkDataSet> withPointFlagsOfCells(vtkDataSet* piece)
+vtkSmartPointer<vtkDataSet> WithPointFlagsOfCells(vtkDataSet* piece)
 {
-  const int mine = hasDuplicateCells(piece) ? 1 : 0;
+  const int mine = HasDuplicateCells(piece) ? 1 : 0;
   int any = 0;
   vtkMultiProcessController::GetGlobalController()->AllReduce(
     &mine, &any, 1, vtkCommunicator::MAX_OP);
@@ -113,14 +113,14 @@ vtkSmartPointer<vtkDataSet> withPointFlagsOfCells(vtkDataSet* piece)
   }
   vtkNew<vtkUnsignedCharArray> flags;
   flags->DeepCopy(old);
-  flagAsCells(piece, flags);
+  FlagAsCells(piece, flags);
   auto copy = vtk::TakeSmartPointer(piece->NewInstance());
   copy->ShallowCopy(piece);
   copy->GetPointData()->AddArray(flags);
   return copy;
 }
 
-bool extentOf(vtkDataSet* piece, int extent[6])
+bool ExtentOf(vtkDataSet* piece, int extent[6])
 {
   if (auto* image = vtkImageData::SafeDownCast(piece))
   {
@@ -141,12 +141,12 @@ bool extentOf(vtkDataSet* piece, int extent[6])
   return true;
 }
 
-bool findExtentsOfRanks(vtkDataSet* piece, std::vector<int>& extents)
+bool FindExtentsOfRanks(vtkDataSet* piece, std::vector<int>& extents)
 {
   int mine[7] = { 0, -1, 0, -1, 0, -1, 1 }; // and whether there is nothing but a grid
-  if (extentOf(piece, mine))
+  if (ExtentOf(piece, mine))
   {
-    leaveOutNeighbors(piece, mine);
+    LeaveOutNeighbors(piece, mine);
   }
   else
   {
@@ -166,7 +166,7 @@ bool findExtentsOfRanks(vtkDataSet* piece, std::vector<int>& extents)
   return structured;
 }
 
-int ownerOfPoint(const std::vector<int>& extents, int i, int j, int k)
+int OwnerOfPoint(const std::vector<int>& extents, int i, int j, int k)
 {
   for (std::size_t at = 0; at < extents.size(); at += 6)
   {

@@ -35,13 +35,13 @@ namespace nephoscope
 namespace
 {
 // Points of the pole of a globe are in one place, and yet are several samples: their indices tell.
-std::vector<bool> ownedByExtent(
+std::vector<bool> OwnedByExtent(
   vtkDataSet* data, const std::vector<vtkIdType>& ids, const std::vector<int>& extents)
 {
   const int rank = vtkMultiProcessController::GetGlobalController()->GetLocalProcessId();
   std::vector<bool> owned(ids.size());
   int mine[6];
-  if (ids.empty() || !extentOf(data, mine))
+  if (ids.empty() || !ExtentOf(data, mine))
   {
     return owned;
   }
@@ -51,14 +51,14 @@ std::vector<bool> ownedByExtent(
     const int i = mine[0] + static_cast<int>(ids[n] % size[0]);
     const int j = mine[2] + static_cast<int>(ids[n] / size[0] % size[1]);
     const int k = mine[4] + static_cast<int>(ids[n] / size[0] / size[1]);
-    owned[n] = ownerOfPoint(extents, i, j, k) == rank;
+    owned[n] = OwnerOfPoint(extents, i, j, k) == rank;
   }
   return owned;
 }
 
 // Then cells that several ranks have are marked. Some sources give cells of neighbours to a rank that asks for them, and do not mark them (trees of hyper tree
 // grids). Collective.
-bool anyRankHasGhosts(vtkDataSet* data)
+bool AnyRankHasGhosts(vtkDataSet* data)
 {
   const int mine = data->GetCellGhostArray() ? 1 : 0;
   int any = 0;
@@ -68,7 +68,7 @@ bool anyRankHasGhosts(vtkDataSet* data)
 }
 
 // Visible samples, each on one rank only.
-vtkSmartPointer<vtkIdList> ownIds(
+vtkSmartPointer<vtkIdList> OwnIds(
   vtkDataSet* data, const SplatShapes& shapes, bool onCells, std::vector<SplatGridSeam>& seams)
 {
   std::vector<vtkIdType> ids;
@@ -83,15 +83,15 @@ vtkSmartPointer<vtkIdList> ownIds(
     }
   }
   std::vector<int> extents;
-  const bool structured = findExtentsOfRanks(data, extents);
+  const bool structured = FindExtentsOfRanks(data, extents);
   for (int axis = 0; axis < 3 && structured && !onCells; ++axis)
   {
     seams.emplace_back(data, extents, axis);
   }
-  const bool apart = onCells && (structured || anyRankHasGhosts(data));
+  const bool apart = onCells && (structured || AnyRankHasGhosts(data));
   const std::vector<bool> owned = apart ? std::vector<bool>(ids.size(), true)
-    : structured                        ? ownedByExtent(data, ids, extents)
-                                        : ownedByThisRank(places);
+    : structured                        ? OwnedByExtent(data, ids, extents)
+                                        : OwnedByThisRank(places);
   auto own = vtkSmartPointer<vtkIdList>::New();
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
@@ -105,26 +105,26 @@ vtkSmartPointer<vtkIdList> ownIds(
   return own;
 }
 
-double meanSpacingOverRanks(const SplatShapes& shapes, vtkIdList* ids)
+double MeanSpacingOverRanks(const SplatShapes& shapes, vtkIdList* ids)
 {
   const auto placeOf = [&](vtkIdType i, double* x) {
     const Vector3 place = shapes.Place(ids->GetId(i));
     std::copy(place.begin(), place.end(), x);
     return true; // all are finite
   };
-  const MediumReduction over = reductionOverRanks();
-  const MediumBounds bounds = robustBoundsOfPlaces(ids->GetNumberOfIds(), placeOf, over);
+  const MediumReduction over = ReductionOverRanks();
+  const MediumBounds bounds = RobustBoundsOfPlaces(ids->GetNumberOfIds(), placeOf, over);
   double count = 0;
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
-    count += holdsPlace(bounds, shapes.Place(ids->GetId(i)).data()) ? 1 : 0;
+    count += HoldsPlace(bounds, shapes.Place(ids->GetId(i)).data()) ? 1 : 0;
   }
   over.Sum(&count, 1);
   return count > 0 ? MeanSpacing(bounds.data(), static_cast<std::size_t>(count)) : 1.0;
 }
 
 // Without marks of ghosts. The arrays are those of cells: the view merges points in one place, not cells.
-vtkSmartPointer<vtkDataSet> verticesOf(
+vtkSmartPointer<vtkDataSet> VerticesOf(
   const SplatShapes& shapes, vtkIdList* ids, vtkDataSetAttributes* arrays)
 {
   const vtkIdType count = ids->GetNumberOfIds();
@@ -148,7 +148,7 @@ vtkSmartPointer<vtkDataSet> verticesOf(
 }
 
 // For a point of a grid on several ranks: not this rank's piece has the ends that count, but the whole grid.
-double shareOf(const SplatShapes& shapes, vtkIdType id, const std::vector<SplatGridSeam>& seams)
+double ShareOf(const SplatShapes& shapes, vtkIdType id, const std::vector<SplatGridSeam>& seams)
 {
   if (seams.empty())
   {
@@ -162,7 +162,7 @@ double shareOf(const SplatShapes& shapes, vtkIdType id, const std::vector<SplatG
   return share;
 }
 
-vtkSmartPointer<vtkDataArray> shapesOf(
+vtkSmartPointer<vtkDataArray> ShapesOf(
   const SplatShapes& shapes, vtkIdList* ids, const std::vector<SplatGridSeam>& seams)
 {
   auto array = vtkSmartPointer<vtkFloatArray>::New();
@@ -181,13 +181,13 @@ vtkSmartPointer<vtkDataArray> shapesOf(
       const auto at = static_cast<std::size_t>(c);
       array->SetTypedComponent(i, c, static_cast<float>(jacobian[at / 3][at % 3]));
     }
-    array->SetTypedComponent(i, 9, static_cast<float>(shareOf(shapes, ids->GetId(i), seams)));
+    array->SetTypedComponent(i, 9, static_cast<float>(ShareOf(shapes, ids->GetId(i), seams)));
   }
   return array;
 }
 
 // Bounds of the samples of all ranks. Collective.
-vtkBoundingBox boundsOverRanks(const SplatShapes& shapes, vtkIdList* ids)
+vtkBoundingBox BoundsOverRanks(const SplatShapes& shapes, vtkIdList* ids)
 {
   vtkBoundingBox mine, all;
   for (const vtkIdType id : *ids)
@@ -200,10 +200,10 @@ vtkBoundingBox boundsOverRanks(const SplatShapes& shapes, vtkIdList* ids)
 
 // Samples may lie in a plane. ParaView ends if it has to divide that along the axis across it: two points without cells give it an extent, not the same on both
 // sides, so that no border between ranks lies in the plane. Collective.
-void padFlatBounds(vtkUnstructuredGrid* vertices, const SplatShapes& shapes, vtkIdList* ids)
+void PadFlatBounds(vtkUnstructuredGrid* vertices, const SplatShapes& shapes, vtkIdList* ids)
 {
   constexpr double flat = 1e-6, before = 1.0, after = 1.7;
-  const vtkBoundingBox bounds = boundsOverRanks(shapes, ids);
+  const vtkBoundingBox bounds = BoundsOverRanks(shapes, ids);
   if (ids->GetNumberOfIds() == 0)
   {
     return;
@@ -229,35 +229,35 @@ void padFlatBounds(vtkUnstructuredGrid* vertices, const SplatShapes& shapes, vtk
 
 const char* const splatShapeName = "NephoscopeSplatShape";
 
-vtkSmartPointer<vtkDataSet> sampledPart(vtkDataObject* input)
+vtkSmartPointer<vtkDataSet> SampledPart(vtkDataObject* input)
 {
-  return appendedBlocks(
+  return AppendedBlocks(
     input, [](vtkDataSet* data) { return data->GetNumberOfPoints() > 0; }, BorderPoints::Merged);
 }
 
-vtkSmartPointer<vtkDataSet> splatVertices(vtkDataSet* piece, const SplatSampling& sampling)
+vtkSmartPointer<vtkDataSet> SplatVertices(vtkDataSet* piece, const SplatSampling& sampling)
 {
   vtkNew<vtkPolyData> nothing; // a rank without data takes part all the same
-  const vtkSmartPointer<vtkDataSet> flagged = withPointFlagsOfCells(piece ? piece : nothing.Get());
+  const vtkSmartPointer<vtkDataSet> flagged = WithPointFlagsOfCells(piece ? piece : nothing.Get());
   vtkDataSet* data = flagged;
-  const vtkSmartPointer<vtkDataSet> mesh = sampling.OnCells ? nullptr : withCellsOfOtherRanks(data);
+  const vtkSmartPointer<vtkDataSet> mesh = sampling.OnCells ? nullptr : WithCellsOfOtherRanks(data);
   SplatSampling ofAll = sampling;
   ofAll.Mesh = mesh;
   const SplatShapes own(data, ofAll);
   std::vector<SplatGridSeam> seams;
-  vtkSmartPointer<vtkIdList> ids = ownIds(data, own, sampling.OnCells, seams);
-  const double spacing = meanSpacingOverRanks(own, ids); // of all ranks, not of this one
+  vtkSmartPointer<vtkIdList> ids = OwnIds(data, own, sampling.OnCells, seams);
+  const double spacing = MeanSpacingOverRanks(own, ids); // of all ranks, not of this one
   ofAll.CellSize = spacing;
   const SplatShapes shapes = own.HaveMeanSpacing() ? SplatShapes(data, ofAll) : own;
-  vtkSmartPointer<vtkDataSet> vertices = verticesOf(shapes, ids,
+  vtkSmartPointer<vtkDataSet> vertices = VerticesOf(shapes, ids,
     data->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT));
-  vertices->GetCellData()->AddArray(shapesOf(shapes, ids, seams));
+  vertices->GetCellData()->AddArray(ShapesOf(shapes, ids, seams));
   vertices->GetFieldData()->ShallowCopy(data->GetFieldData());
-  padFlatBounds(vtkUnstructuredGrid::SafeDownCast(vertices), shapes, ids);
+  PadFlatBounds(vtkUnstructuredGrid::SafeDownCast(vertices), shapes, ids);
   return vertices;
 }
 
-vtkSmartPointer<vtkDataSet> withShapesOfCells(vtkDataSet* piece, const SplatSampling& sampling)
+vtkSmartPointer<vtkDataSet> WithShapesOfCells(vtkDataSet* piece, const SplatSampling& sampling)
 {
   if (!piece)
   {
@@ -271,7 +271,7 @@ vtkSmartPointer<vtkDataSet> withShapesOfCells(vtkDataSet* piece, const SplatSamp
   vtkNew<vtkIdList> ids;
   ids->SetNumberOfIds(shapes.GetNumberOfIds());
   std::iota(ids->begin(), ids->end(), 0);
-  const vtkSmartPointer<vtkDataArray> array = shapesOf(shapes, ids, {});
+  const vtkSmartPointer<vtkDataArray> array = ShapesOf(shapes, ids, {});
   for (const vtkIdType id : *ids)
   {
     if (!shapes.IsVisible(id))
@@ -286,7 +286,7 @@ vtkSmartPointer<vtkDataSet> withShapesOfCells(vtkDataSet* piece, const SplatSamp
   return copy;
 }
 
-void moveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix)
+void MoveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix)
 {
   auto* old = vtkFloatArray::SafeDownCast(vertices->GetCellData()->GetArray(splatShapeName));
   if (!old)
@@ -313,9 +313,9 @@ void moveShapes(vtkDataSet* vertices, vtkMatrix4x4* matrix)
   vertices->GetCellData()->AddArray(shapes);
 }
 
-vtkSmartPointer<vtkDataSet> chosenVertices(vtkDataSet* vertices, vtkIdList* ids)
+vtkSmartPointer<vtkDataSet> ChosenVertices(vtkDataSet* vertices, vtkIdList* ids)
 {
-  auto chosen = verticesOf(SplatShapes(vertices, { true, 1.0 }), ids, vertices->GetCellData());
+  auto chosen = VerticesOf(SplatShapes(vertices, { true, 1.0 }), ids, vertices->GetCellData());
   chosen->GetFieldData()->ShallowCopy(vertices->GetFieldData());
   return chosen;
 }

@@ -18,7 +18,7 @@ namespace
 const char* const rangeName = "NephoscopeVectorColorRange";
 }
 
-void storeVectorColorRange(vtkDataSet* data, bool onCells, const std::string& array)
+void StoreVectorColorRange(vtkDataSet* data, bool onCells, const std::string& array)
 {
   double range[2] = { 1.0, -1.0 }; // empty
   vtkDataArray* values = array.empty()
@@ -27,11 +27,11 @@ void storeVectorColorRange(vtkDataSet* data, bool onCells, const std::string& ar
         ->GetArray(array.c_str());
   if (values && values->GetNumberOfTuples() > 0)
   {
-    findFiniteRange(values, range);
+    FindFiniteRange(values, range);
   }
-  reduceRange(range);
+  ReduceRange(range);
   const bool found = range[0] <= range[1];
-  storeNumbers(data, rangeName, { found ? range[0] : 0.0, found ? range[1] : 1.0 });
+  StoreNumbers(data, rangeName, { found ? range[0] : 0.0, found ? range[1] : 1.0 });
 }
 
 vtkColorTransferFunction* DefaultVectorColors::Over(vtkDataSet* data)

@@ -16,7 +16,7 @@ namespace nephoscope
 {
 
 /** Stores the range of an array (of magnitudes, if it has components) over all ranks with the data. Collective. */
-void storeVectorColorRange(vtkDataSet* data, bool onCells, const std::string& array);
+void StoreVectorColorRange(vtkDataSet* data, bool onCells, const std::string& array);
 
 /** ParaView's own default, from blue over white to red, over the stored range. Rebuilt only for another range. */
 class DefaultVectorColors

@@ -74,11 +74,11 @@ nephoscope::SplatSampling vtkTexturedSplatsRepresentation::GetSampling(bool onCe
 void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
 {
   const bool onCells = this->DrawsCells();
-  const vtkSmartPointer<vtkDataSet> whole = nephoscope::sampledPart(input);
+  const vtkSmartPointer<vtkDataSet> whole = nephoscope::SampledPart(input);
   this->Piece = whole;
   this->Piece = GetNumberOfRanks() > 1
-    ? nephoscope::splatVertices(this->Piece, this->GetSampling(onCells))
-    : nephoscope::withShapesOfCells(this->Piece, this->GetSampling(onCells));
+    ? nephoscope::SplatVertices(this->Piece, this->GetSampling(onCells))
+    : nephoscope::WithShapesOfCells(this->Piece, this->GetSampling(onCells));
   const bool inCells =
     this->GetAssociationInPiece(onCells ? vtkDataObject::CELL : vtkDataObject::POINT) ==
     vtkDataObject::CELL;
@@ -89,18 +89,18 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const bool together = (association == vtkDataObject::CELL) == inCells;
   const nephoscope::MediumBounds common =
-    nephoscope::boundsOfSamples(this->Piece, sampling, nephoscope::reductionOverRanks());
+    nephoscope::BoundsOfSamples(this->Piece, sampling, nephoscope::ReductionOverRanks());
   nephoscope::MediumMeasures mine =
-    nephoscope::measureSplats(this->Piece, sampling, together ? scalars : nullptr, {}, common);
+    nephoscope::MeasureSplats(this->Piece, sampling, together ? scalars : nullptr, {}, common);
   vtkDataArray* ofWhole = scalars && whole
     ? whole->GetAttributes(onCells ? vtkDataObject::CELL : vtkDataObject::POINT)
         ->GetArray(scalars->GetName())
     : nullptr;
   if (ofWhole && together && mine.Volume > 0.0) // as on one rank, where hidden samples stay
   {
-    nephoscope::findFiniteRange(ofWhole, mine.ScalarRange);
+    nephoscope::FindFiniteRange(ofWhole, mine.ScalarRange);
   }
-  const nephoscope::MediumMeasures all = nephoscope::reduceOverRanks(mine);
+  const nephoscope::MediumMeasures all = nephoscope::ReduceOverRanks(mine);
   if (HoldsAnything(input) && all.Volume <= 0.0 && IsFirstRank())
   {
     vtkWarningMacro(
@@ -119,15 +119,15 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   {
     this->Piece = vtkSmartPointer<vtkPolyData>::New();
   }
-  StoreMeasures(this->Piece, nephoscope::defaultUnitDistance(all, common, true), all.ScalarRange);
+  StoreMeasures(this->Piece, nephoscope::DefaultUnitDistance(all, common, true), all.ScalarRange);
   this->StoreSuited(sampling, common);
-  nephoscope::storeVectorColorRange(this->Piece, inCells, this->Mapper->GetVectorColorArrayName());
+  nephoscope::StoreVectorColorRange(this->Piece, inCells, this->Mapper->GetVectorColorArrayName());
 }
 
 void vtkTexturedSplatsRepresentation::MovePiece(vtkMatrix4x4* matrix)
 {
   this->Superclass::MovePiece(matrix);
-  nephoscope::moveShapes(this->Piece, matrix);
+  nephoscope::MoveShapes(this->Piece, matrix);
 }
 
 void vtkTexturedSplatsRepresentation::DescribePiece(vtkInformation* inInfo)

@@ -52,7 +52,7 @@ vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
   this->Mapper->InterpolateScalarsBeforeMappingOff();
   this->Mapper->OrderByLayersOff();
   this->Actor->SetMapper(this->Mapper);
-  nephoscope::forwardMessages(this->Mapper, this);
+  nephoscope::ForwardMessages(this->Mapper, this);
   this->SpeedKey->SetVolume(this->Actor);
   this->SpeedKey->SetFilmUnit("unit of animation time");
   this->SpeedKey->SetPosition(0.2, 0.03); // beside the orientation axes
@@ -65,13 +65,13 @@ vtkTexturedSplatsRepresentation::~vtkTexturedSplatsRepresentation() = default;
 namespace
 {
 // Empty where ranks do not draw in regions of their own.
-std::vector<nephoscope::SplatRegion> regionsOf(vtkView* view)
+std::vector<nephoscope::SplatRegion> RegionsOf(vtkView* view)
 {
-  const std::vector<vtkBoundingBox>* boxes = nephoscope::boxesOfRanks(view);
-  return boxes ? nephoscope::regionsOfRanks(*boxes) : std::vector<nephoscope::SplatRegion>();
+  const std::vector<vtkBoundingBox>* boxes = nephoscope::BoxesOfRanks(view);
+  return boxes ? nephoscope::RegionsOfRanks(*boxes) : std::vector<nephoscope::SplatRegion>();
 }
 
-bool onAnyRank(bool here)
+bool OnAnyRank(bool here)
 {
   const int mine = here ? 1 : 0;
   int any = 0;
@@ -80,7 +80,7 @@ bool onAnyRank(bool here)
   return any != 0;
 }
 
-double leastOverRanks(double mine)
+double LeastOverRanks(double mine)
 {
   double least = mine;
   vtkMultiProcessController::GetGlobalController()->AllReduce(
@@ -97,16 +97,16 @@ vtkDataSet* vtkTexturedSplatsRepresentation::CompletePiece(vtkDataSet* data, vtk
   }
   vtkMeeting& meeting = *this->Meeting;
   vtkDataSet* piece = data ? data : meeting.Nothing.Get();
-  const vtkMeeting::Regions regions = regionsOf(this->GetView());
+  const vtkMeeting::Regions regions = RegionsOf(this->GetView());
   const vtkMeeting::CommonsKey key(
     piece, piece->GetMTime(), regions, this->Mapper->GetVectorArrayName());
-  const bool met = !onAnyRank(key != meeting.MetFor);
+  const bool met = !OnAnyRank(key != meeting.MetFor);
   if (!met)
   {
-    meeting.Commons = nephoscope::findSplatCommons(piece, this->Mapper->GetVectorArrayName());
+    meeting.Commons = nephoscope::FindSplatCommons(piece, this->Mapper->GetVectorArrayName());
     meeting.MetFor = key;
   }
-  meeting.Share = leastOverRanks(this->GetShareOf(piece)); // 1 where nothing was delivered
+  meeting.Share = LeastOverRanks(this->GetShareOf(piece)); // 1 where nothing was delivered
   this->UseCommons(regions);
   const nephoscope::SplatReaches reaches = this->GetReaches();
   const vtkMeeting::Reaches reached(reaches.KernelRadius, reaches.RadiusFactor, reaches.Vectors,
@@ -115,7 +115,7 @@ vtkDataSet* vtkTexturedSplatsRepresentation::CompletePiece(vtkDataSet* data, vtk
   if (!met || reached != meeting.ReachedFor) // settings are the same on all ranks
   {
     meeting.Complete = regions.empty() ? vtkSmartPointer<vtkDataSet>(piece)
-                                       : nephoscope::withNeighbors(piece, regions, reaches);
+                                       : nephoscope::WithNeighbors(piece, regions, reaches);
     meeting.ReachedFor = reached;
   }
   return meeting.Complete;

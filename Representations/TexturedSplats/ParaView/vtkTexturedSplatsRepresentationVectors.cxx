@@ -31,7 +31,7 @@ namespace
 // Travels with the data, so that every time step keeps its own.
 const char* const suitedName = "NephoscopeSuitedVectors";
 
-double storedNumber(vtkDataSet* data, vtkIdType index, double otherwise)
+double StoredNumber(vtkDataSet* data, vtkIdType index, double otherwise)
 {
   vtkDataArray* numbers = data ? data->GetFieldData()->GetArray(suitedName) : nullptr;
   return numbers && numbers->GetNumberOfTuples() > index ? numbers->GetComponent(index, 0)
@@ -87,20 +87,20 @@ void vtkTexturedSplatsRepresentation::StoreSuited(
   vtkDataSetAttributes* attributes =
     this->Piece->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT);
   vtkDataArray* vectors = attributes->GetArray(name.c_str());
-  const auto all = nephoscope::reduceOverRanks(
-    nephoscope::measureSplats(this->Piece, sampling, vectors, {}, common));
+  const auto all = nephoscope::ReduceOverRanks(
+    nephoscope::MeasureSplats(this->Piece, sampling, vectors, {}, common));
   const nephoscope::SpeedCounts speeds =
-    nephoscope::speedsOfRanks(nephoscope::CountSpeeds(this->Piece, sampling, vectors));
+    nephoscope::SpeedsOfRanks(nephoscope::CountSpeeds(this->Piece, sampling, vectors));
   this->WarnOfLongVectors(this->GreatestSpeed > 0.0 ? "" : speeds.DescribeLong(name));
-  const auto suited = nephoscope::suitVectors(all, common,
+  const auto suited = nephoscope::SuitVectorsTo(all, common,
     this->GreatestSpeed > 0.0 ? this->GreatestSpeed : speeds.GetFull(), speeds.GetNumber());
-  nephoscope::storeNumbers(this->Piece, suitedName, { suited.Opacity, suited.Share });
+  nephoscope::StoreNumbers(this->Piece, suitedName, { suited.Opacity, suited.Share });
 }
 
 double vtkTexturedSplatsRepresentation::GetShareOf(vtkDataSet* data)
 {
   const bool isSuited = this->Mapper->GetVectorStyle() == vtkTexturedSplatMapper::STREAKS;
-  return this->VectorShare > 0.0 ? this->VectorShare : isSuited ? storedNumber(data, 1, 1.0) : 1.0;
+  return this->VectorShare > 0.0 ? this->VectorShare : isSuited ? StoredNumber(data, 1, 1.0) : 1.0;
 }
 
 void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
@@ -109,7 +109,7 @@ void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
   const bool medium = this->DrawsMedium();
   this->Mapper->SetVectorFraction(this->GetShareOf(data));
   this->Mapper->SetVectorOpacity(this->VectorOpacity > 0.0 ? this->VectorOpacity
-      : medium                                             ? storedNumber(data, 0, alone)
+      : medium                                             ? StoredNumber(data, 0, alone)
                                                            : alone);
   const bool contrasts = this->UseVectorColor == AUTOMATIC_COLOR && medium &&
     this->Mapper->GetVectorColorArrayName().empty();

@@ -20,7 +20,7 @@ namespace nephoscope
 namespace
 {
 // Null for other types; tetrahedra and voxels have the mean of their corners.
-const CellKind* kindOf(int type)
+const CellKind* KindOf(int type)
 {
   return type == VTK_HEXAHEDRON ? &hexahedron
     : type == VTK_WEDGE         ? &wedge
@@ -33,14 +33,14 @@ Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id)
 {
   vtkNew<vtkIdList> corners;
   data->GetCellPoints(id, corners);
-  if (const CellKind* kind = kindOf(data->GetCellType(id)))
+  if (const CellKind* kind = KindOf(data->GetCellType(id)))
   {
     Vector3 x[8];
     for (int i = 0; i < kind->Corners; ++i)
     {
       data->GetPoint(corners->GetId(i), x[i].data());
     }
-    const CellMoments moments = momentsOf(*kind, x);
+    const CellMoments moments = MomentsOf(*kind, x);
     if (moments.GetSize() > 0 && std::isfinite(moments.GetSize()))
     {
       return moments.GetCenter();

@@ -36,7 +36,7 @@ constexpr CellKind wedge{ 6,
 constexpr CellKind pyramid{ 5, {}, 4,
   { { 0, 1, 2, 4 }, { 0, 2, 3, 4 }, { 0, 1, 3, 4 }, { 1, 2, 3, 4 } } };
 
-inline CellMoments momentsOf(const CellKind& kind, const Vector3* x)
+inline CellMoments MomentsOf(const CellKind& kind, const Vector3* x)
 {
   CellMoments moments(x[0]);
   for (int t = 0; t < kind.NumberOfTetrahedra; ++t)

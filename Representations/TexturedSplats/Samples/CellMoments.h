@@ -33,7 +33,7 @@ public:
   {
     const Vector3 corners[4] = { a - this->Origin, b - this->Origin, c - this->Origin,
       d - this->Origin };
-    const double volume = times * std::abs(signedVolume(a, b, c, d));
+    const double volume = times * std::abs(SignedVolume(a, b, c, d));
     Vector3 sum{};
     this->Size += volume;
     for (const Vector3& corner : corners)

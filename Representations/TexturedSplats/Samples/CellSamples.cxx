@@ -25,7 +25,7 @@ namespace
 using Shares = std::vector<CellShare>;
 
 // The square of the shape of a sample, wider where cells taper to an apex, and that of a cell with the covariance of the cell.
-SplatMatrix blurred(const CellShares& shares, std::size_t i, SplatMatrix square)
+SplatMatrix Blurred(const CellShares& shares, std::size_t i, SplatMatrix square)
 {
   const CellShare& share = shares.Shares[i];
   if (!shares.Tapers.empty())
@@ -44,7 +44,7 @@ SplatMatrix blurred(const CellShares& shares, std::size_t i, SplatMatrix square)
 }
 
 // One-sided points take the shape of the others of their cells.
-void shareShapes(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>& places)
+void ShareShapes(vtkDataSet* data, Shares& shares, const std::vector<vtkIdType>& places)
 {
   const auto isOneSided = [](const CellShare& share) { return share.IsOneSided(); };
   if (std::none_of(shares.begin(), shares.end(), isOneSided))
@@ -90,7 +90,7 @@ void CellSamples::Find(vtkDataSet* data, bool onCells)
   Shares& shares = found.Shares;
   if (!onCells)
   {
-    shareShapes(data, shares, places);
+    ShareShapes(data, shares, places);
   }
   for (CellShare& share : shares)
   {
@@ -187,7 +187,7 @@ void CellSamples::Blur(const CellShares& found)
   for (std::size_t i = 0; i < this->Shapes.size(); ++i)
   {
     const SplatMatrix before = MatrixOfShape(this->Shapes[i]);
-    const SplatMatrix after = TriangularRoot(blurred(found, i, SquareOfShape(this->Shapes[i])));
+    const SplatMatrix after = TriangularRoot(Blurred(found, i, SquareOfShape(this->Shapes[i])));
     const double volume = Determinant(after);
     if (before[0][0] != 0 && volume > 0 && std::isfinite(volume))
     {

@@ -17,9 +17,9 @@ namespace nephoscope
 // Solid angle between three edges from one corner (VanOosteromStrackee1983).
 inline double SolidAngle(const Vector3& a, const Vector3& b, const Vector3& c)
 {
-  const double x = norm(a), y = norm(b), z = norm(c);
-  const double below = x * y * z + dot(a, b) * z + dot(b, c) * x + dot(c, a) * y;
-  const double angle = 2.0 * std::atan2(std::abs(dot(a, cross(b, c))), below);
+  const double x = Norm(a), y = Norm(b), z = Norm(c);
+  const double below = x * y * z + Dot(a, b) * z + Dot(b, c) * x + Dot(c, a) * y;
+  const double angle = 2.0 * std::atan2(std::abs(Dot(a, Cross(b, c))), below);
   return std::isfinite(angle) ? angle : 0.0;
 }
 

@@ -187,7 +187,7 @@ private:
   {
     const vtkIdType* p = this->Points->GetPointer(0);
     const auto x = this->CornersAt(p);
-    const double volume = momentsOf(hexahedron, x.data()).GetSize();
+    const double volume = MomentsOf(hexahedron, x.data()).GetSize();
     CellShare shares[20];
     const double squares = SharesOfQuadraticHexahedron(x, volume, shares);
     this->GiveAll(std::cbrt(volume), squares, p, shares, 20);
@@ -286,7 +286,7 @@ private:
   {
     this->Data->GetCell(this->Id, this->Cell);
     const int dimension = this->Cell->GetCellDimension();
-    if (dimension < 2 || !triangulateCell(this->Cell, this->Points, this->Coordinates))
+    if (dimension < 2 || !TriangulateCell(this->Cell, this->Points, this->Coordinates))
     {
       return;
     }
@@ -317,7 +317,7 @@ private:
   vtkNew<vtkGenericCell> Cell;
 };
 
-bool hasHexahedra(vtkDataSet* data)
+bool HasHexahedra(vtkDataSet* data)
 {
   bool found = false;
   for (vtkIdType id = 0; id < data->GetNumberOfCells() && !found; ++id)
@@ -335,7 +335,7 @@ CellShares FindCellShares(vtkDataSet* data, bool onCells, const std::vector<vtkI
   const vtkIdType count = onCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   CellShares found;
   found.Shares.resize(static_cast<std::size_t>(count));
-  if (!onCells && count < VTK_INT_MAX && hasHexahedra(data))
+  if (!onCells && count < VTK_INT_MAX && HasHexahedra(data))
   {
     found.Rings.resize(found.Shares.size());
   }

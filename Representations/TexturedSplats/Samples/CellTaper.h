@@ -65,7 +65,7 @@ public:
         if (At(corner, n) == 0)
         {
           const Vector3 edge = corners[Across(corner, n)] - corners[corner];
-          const double length = norm(edge);
+          const double length = Norm(edge);
           for (std::size_t c = 0; c < 3; ++c)
           {
             this->Edges[n][c] += edge[c] / 4;
@@ -123,14 +123,14 @@ private:
     TaperNeed need;
     for (std::size_t n = 0; n < 3; ++n)
     {
-      const double width = norm(this->Edges[n]);
+      const double width = Norm(this->Edges[n]);
       double more = 0, square = 0;
       for (std::size_t turn = 1; turn < 3; ++turn)
       {
         const std::size_t a = (n + turn) % 3;
         const double low = this->Widths[n][a][0], high = this->Widths[n][a][1];
         const double taper = low + high > 0 ? 2 * (high - low) / (high + low) : 0;
-        const double length = norm(this->Edges[a]);
+        const double length = Norm(this->Edges[a]);
         if (std::abs(taper) > least && length > width)
         {
           const double weight = Weight(1 / std::abs(taper) + shift(a, taper));

@@ -14,7 +14,7 @@ constexpr double sphere = 12.566370614359172;
 constexpr double circle = 6.283185307179586;
 
 // The squares of the edges at each corner; returns their mean.
-double addEdges(const CellKind& kind, const Vector3* x, SplatMatrix* edges)
+double AddEdges(const CellKind& kind, const Vector3* x, SplatMatrix* edges)
 {
   double squares = 0;
   for (int i = 0; i < kind.Corners; ++i)
@@ -23,13 +23,13 @@ double addEdges(const CellKind& kind, const Vector3* x, SplatMatrix* edges)
     {
       const Vector3 e = x[next] - x[i];
       AddOuterProduct(edges[i], e);
-      squares += dot(e, e) / kind.Corners;
+      squares += Dot(e, e) / kind.Corners;
     }
   }
   return squares;
 }
 
-double solidAngleAt(const CellKind& kind, const Vector3* x, int corner)
+double SolidAngleAt(const CellKind& kind, const Vector3* x, int corner)
 {
   const int* next = kind.Neighbors[corner];
   return SolidAngle(x[next[0]] - x[corner], x[next[1]] - x[corner], x[next[2]] - x[corner]);
@@ -40,11 +40,11 @@ double SharesOfSolid(const CellKind& kind, const Vector3* x, double volume, doub
   const double* weights, CellShare* shares)
 {
   SplatMatrix edges[8] = {};
-  const double squares = addEdges(kind, x, edges);
+  const double squares = AddEdges(kind, x, edges);
   double angles[8], all = 0;
   for (int i = 0; i < kind.Corners; ++i)
   {
-    angles[i] = times * solidAngleAt(kind, x, i) / sphere;
+    angles[i] = times * SolidAngleAt(kind, x, i) / sphere;
     all += angles[i];
   }
   for (int i = 0; i < kind.Corners && all > 0; ++i)
@@ -68,7 +68,7 @@ double SharesOfQuadraticHexahedron(
   const HexahedronCorners& x, double volume, CellShare (&shares)[20])
 {
   SplatMatrix edges[8] = {};
-  const double squares = addEdges(hexahedron, x.data(), edges);
+  const double squares = AddEdges(hexahedron, x.data(), edges);
   const auto shareOf = [volume](double part, const SplatMatrix& here) {
     CellShare share;
     share.Dimension = 3;
@@ -100,7 +100,7 @@ std::array<double, 8> OctantsOfHexahedron(const HexahedronCorners& x)
   {
     const int* next = hexahedron.Neighbors[i];
     const auto edge = [&](int k) { return x[static_cast<std::size_t>(next[k])] - x[i]; };
-    spanned[i] = std::abs(tripleProduct(edge(0), edge(1), edge(2)));
+    spanned[i] = std::abs(TripleProduct(edge(0), edge(1), edge(2)));
   }
   std::array<double, 8> weights{};
   for (int i = 0; i < 8; ++i)
@@ -128,8 +128,8 @@ SurfaceExtent SharesOfPolygon(const std::vector<Vector3>& x, std::vector<CellSha
   SurfaceExtent extent;
   for (std::size_t i = 2; i < count; ++i)
   {
-    extent.Area += 0.5 * norm(cross(x[i - 1] - x[0], x[i] - x[0]));
-    extent.Squares = std::max(extent.Squares, dot(x[i] - x[0], x[i] - x[0]));
+    extent.Area += 0.5 * Norm(Cross(x[i - 1] - x[0], x[i] - x[0]));
+    extent.Squares = std::max(extent.Squares, Dot(x[i] - x[0], x[i] - x[0]));
   }
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -138,13 +138,13 @@ SurfaceExtent SharesOfPolygon(const std::vector<Vector3>& x, std::vector<CellSha
     CellShare& share = shares[i];
     share.Dimension = 2;
     share.Size = extent.Area / static_cast<double>(count);
-    share.Angle = std::atan2(norm(cross(a, b)), dot(a, b)) / circle;
+    share.Angle = std::atan2(Norm(Cross(a, b)), Dot(a, b)) / circle;
     share.MeanAngle = 0.5 * (static_cast<double>(count) - 2) / static_cast<double>(count);
     share.LatticeAngle = count == 3 ? share.Angle : share.MeanAngle;
     SplatMatrix edges{}, normals{};
     AddOuterProduct(edges, a);
     AddOuterProduct(edges, b);
-    AddOuterProduct(normals, normalized(cross(a, b)));
+    AddOuterProduct(normals, Normalized(Cross(a, b)));
     AddWeighted(share.Edges, edges, share.MeanAngle);
     AddWeighted(share.Normals, normals, share.Size);
   }

@@ -19,13 +19,13 @@ namespace nephoscope
 {
 namespace
 {
-Vector3 scaled(const Vector3& v, double factor)
+Vector3 Scaled(const Vector3& v, double factor)
 {
   return { { v[0] * factor, v[1] * factor, v[2] * factor } };
 }
 
 // At right angles to v, of length 1.
-Vector3 acrossOf(const Vector3& v)
+Vector3 AcrossOf(const Vector3& v)
 {
   std::size_t least = 0;
   for (std::size_t c = 1; c < 3; ++c)
@@ -34,12 +34,12 @@ Vector3 acrossOf(const Vector3& v)
   }
   Vector3 axis{};
   axis[least] = 1;
-  const Vector3 across = cross(v, axis);
-  return scaled(across, 1 / norm(across));
+  const Vector3 across = Cross(v, axis);
+  return Scaled(across, 1 / Norm(across));
 }
 
 // Gives the axes along which there is one sample alone the geometric mean of the other edges, at right angles to them.
-void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
+void Thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
 {
   double logarithms = 0;
   int known = 0;
@@ -49,7 +49,7 @@ void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
     if (!missing[axis])
     {
       logarithms +=
-        std::log(norm(columns[axis])); // -infinity at a pole: WithoutFlatColumns does it
+        std::log(Norm(columns[axis])); // -infinity at a pole: WithoutFlatColumns does it
       last = axis;
       ++known;
     }
@@ -62,7 +62,7 @@ void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const Vector3 &a = columns[(axis + 1) % 3], &b = columns[(axis + 2) % 3];
-    const Vector3 normal = cross(a, b);
+    const Vector3 normal = Cross(a, b);
     if (!missing[axis])
     {
       continue;
@@ -74,8 +74,8 @@ void thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
     }
     else
     {
-      columns[axis] = norm(normal) > 0 ? scaled(normal, edge / norm(normal))
-                                       : scaled(acrossOf(columns[last]), edge);
+      columns[axis] = Norm(normal) > 0 ? Scaled(normal, edge / Norm(normal))
+                                       : Scaled(AcrossOf(columns[last]), edge);
     }
   }
 }
@@ -236,9 +236,9 @@ void GridSamples::FitToCell(const Vector3 (&corners)[8], SplatMatrix& columns, d
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const Vector3 row = { { inverse[0][axis], inverse[1][axis], inverse[2][axis] } };
-    const double factor = std::sqrt(blurOfSquare * dot(row, Times(square, row)) +
-      dot(row, Times(covariance, row)) / varianceOfKernel);
-    columns[axis] = scaled(columns[axis], factor);
+    const double factor = std::sqrt(blurOfSquare * Dot(row, Times(square, row)) +
+      Dot(row, Times(covariance, row)) / varianceOfKernel);
+    columns[axis] = Scaled(columns[axis], factor);
     share /= factor;
   }
   constexpr double rounding = 1e-5;
@@ -304,7 +304,7 @@ Vector3 GridSamples::Direction(vtkIdType id, int axis) const
   int index[3];
   this->IndexOf(id, index);
   Vector3 column{};
-  const bool found = this->FindColumn(index, axis, column) && norm(column) > 0;
+  const bool found = this->FindColumn(index, axis, column) && Norm(column) > 0;
   return found ? column : this->Jacobian(id)[static_cast<std::size_t>(axis)];
 }
 
@@ -332,14 +332,14 @@ SplatMatrix GridSamples::WideColumns(const int index[3], double& share) const
       widths[axis] = missing[axis] ? 0.0 : this->WidthBeside(index, axis, columns, share);
     }
   }
-  thicken(columns, missing);
+  Thicken(columns, missing);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double length = norm(columns[axis]);
+    const double length = Norm(columns[axis]);
     if (widths[axis] > length && length > 0)
     {
       share *= length / widths[axis];
-      columns[axis] = scaled(columns[axis], widths[axis] / length);
+      columns[axis] = Scaled(columns[axis], widths[axis] / length);
     }
   }
   return columns;
@@ -365,7 +365,7 @@ GridSamples::LengthsOfColumn GridSamples::LengthsBeside(
     next[along] = this->Closed[along] ? (next[along] + period) % period : next[along];
     Vector3 column{};
     found[side] = next[along] >= 0 && next[along] <= period && this->FindColumn(next, axis, column);
-    lengths[side] = norm(column);
+    lengths[side] = Norm(column);
   }
   const double mean = found[0] == found[1] ? own : 0.75 * own + 0.25 * lengths[found[0] ? 0 : 1];
   for (int side = 0; side < 2; ++side)
@@ -386,12 +386,12 @@ double GridSamples::WidthBeside(
   const int index[3], std::size_t axis, SplatMatrix& columns, double& share) const
 {
   constexpr double vanishing = 1e-3, narrow = 0.25;
-  const double own = norm(columns[axis]);
+  const double own = Norm(columns[axis]);
   double width = 0;
   for (std::size_t turn = 1; turn < 3; ++turn)
   {
     const std::size_t along = (axis + turn) % 3;
-    const double length = norm(columns[along]);
+    const double length = Norm(columns[along]);
     if (this->Dimensions[along] < 2 || !(length > 0))
     {
       continue;
@@ -400,9 +400,9 @@ double GridSamples::WidthBeside(
       this->LengthsBeside(index, static_cast<int>(axis), static_cast<int>(along), own);
     if (beside.Greatest > 0 && own <= vanishing * beside.Greatest)
     {
-      const Vector3 normal = cross(columns[(axis + 1) % 3], columns[(axis + 2) % 3]);
-      const Vector3 direction = norm(normal) > 0 ? normal : acrossOf(columns[along]);
-      columns[axis] = scaled(direction, 0.25 * beside.Greatest / norm(direction));
+      const Vector3 normal = Cross(columns[(axis + 1) % 3], columns[(axis + 2) % 3]);
+      const Vector3 direction = Norm(normal) > 0 ? normal : AcrossOf(columns[along]);
+      columns[axis] = Scaled(direction, 0.25 * beside.Greatest / Norm(direction));
       return length;
     }
     share *= own > 0 ? beside.Mean / own : 1;

@@ -19,7 +19,7 @@ using Flags = std::vector<unsigned char>;
 constexpr int hiddenCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
 
 // Empty if none is set.
-Flags flagsOf(vtkUnsignedCharArray* ghosts, int mask)
+Flags FlagsOf(vtkUnsignedCharArray* ghosts, int mask)
 {
   Flags flags;
   const vtkIdType count = ghosts ? ghosts->GetNumberOfTuples() : 0;
@@ -34,7 +34,7 @@ Flags flagsOf(vtkUnsignedCharArray* ghosts, int mask)
   return flags;
 }
 
-void hideCellsOfPoints(vtkDataSet* data, const Flags& points, Flags& cells)
+void HideCellsOfPoints(vtkDataSet* data, const Flags& points, Flags& cells)
 {
   cells.resize(static_cast<std::size_t>(data->GetNumberOfCells()), 0);
   vtkNew<vtkIdList> corners;
@@ -47,7 +47,7 @@ void hideCellsOfPoints(vtkDataSet* data, const Flags& points, Flags& cells)
   }
 }
 
-void hidePointsOfCells(vtkDataSet* data, const Flags& cells, Flags& points)
+void HidePointsOfCells(vtkDataSet* data, const Flags& cells, Flags& points)
 {
   Flags ofDrawn(static_cast<std::size_t>(data->GetNumberOfPoints()), 0), ofHidden(ofDrawn);
   vtkNew<vtkIdList> corners;
@@ -73,24 +73,24 @@ std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, boo
   const int duplicateCell = withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATECELL);
   if (onCells)
   {
-    Flags cells = flagsOf(data->GetCellGhostArray(), hiddenCell | duplicateCell);
-    const Flags corners = flagsOf(data->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT);
+    Flags cells = FlagsOf(data->GetCellGhostArray(), hiddenCell | duplicateCell);
+    const Flags corners = FlagsOf(data->GetPointGhostArray(), vtkDataSetAttributes::HIDDENPOINT);
     if (!corners.empty())
     {
-      hideCellsOfPoints(data, corners, cells);
+      HideCellsOfPoints(data, corners, cells);
     }
     return cells;
   }
   const int hiddenPoint = vtkDataSetAttributes::HIDDENPOINT |
     (withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATEPOINT));
-  Flags points = flagsOf(data->GetPointGhostArray(), hiddenPoint);
+  Flags points = FlagsOf(data->GetPointGhostArray(), hiddenPoint);
   // One after the other: a point between a hidden cell of this process and a shown one of another is shown.
   for (const int mask : { hiddenCell, duplicateCell })
   {
-    const Flags cells = flagsOf(data->GetCellGhostArray(), mask);
+    const Flags cells = FlagsOf(data->GetCellGhostArray(), mask);
     if (!cells.empty())
     {
-      hidePointsOfCells(data, cells, points);
+      HidePointsOfCells(data, cells, points);
     }
   }
   return points;
@@ -98,7 +98,7 @@ std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, boo
 
 std::vector<unsigned char> FindHiddenCells(vtkDataSet* data)
 {
-  return flagsOf(data->GetCellGhostArray(), hiddenCell);
+  return FlagsOf(data->GetCellGhostArray(), hiddenCell);
 }
 
 } // namespace nephoscope

@@ -28,7 +28,7 @@ constexpr double unitBall[3] = { 2.0, pi, 4.0 * pi / 3.0 };
 
 MediumBounds BulkOfPoints(vtkDataSet* data)
 {
-  return robustBoundsOfPlaces(data->GetNumberOfPoints(), [&](vtkIdType id, double* x) {
+  return RobustBoundsOfPlaces(data->GetNumberOfPoints(), [&](vtkIdType id, double* x) {
     data->GetPoint(id, x);
     return std::isfinite(x[0] + x[1] + x[2]);
   });
@@ -46,7 +46,7 @@ std::vector<float> FindNeighborSpacing(vtkDataSet* data)
   {
     double x[3];
     data->GetPoint(id, x);
-    if (holdsPlace(
+    if (HoldsPlace(
           bulk, x)) // the locator could not tell those apart that lie together far from others
     {
       points->InsertNextPoint(x);
@@ -88,7 +88,7 @@ std::vector<float> FindNeighborSpacing(vtkDataSet* data)
   {
     double x[3];
     data->GetPoint(id, x);
-    const bool far = std::isfinite(x[0] + x[1] + x[2]) && !holdsPlace(bulk, x);
+    const bool far = std::isfinite(x[0] + x[1] + x[2]) && !HoldsPlace(bulk, x);
     spacing[static_cast<std::size_t>(id)] =
       far ? static_cast<float>(mean) : spacing[static_cast<std::size_t>(id)];
   }

@@ -18,13 +18,13 @@ constexpr double samplesOfSheet = 4.0;     // that a ray meets in a flat sheet, 
 constexpr double readableOpacity = 0.6;    // of streaks of the mean speed
 constexpr double leastOpacity = 0.8, greatestOpacity = 2.0;
 
-bool isPlace(const Vector3& place)
+bool IsPlace(const Vector3& place)
 {
   return std::isfinite(place[0] + place[1] + place[2]);
 }
 
 // Half of the sample's cell along each axis.
-Vector3 halfExtent(const SplatMatrix& jacobian)
+Vector3 HalfExtent(const SplatMatrix& jacobian)
 {
   Vector3 half{};
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -35,18 +35,18 @@ Vector3 halfExtent(const SplatMatrix& jacobian)
   return half;
 }
 
-double weightOf(const SplatMatrix& jacobian)
+double WeightOf(const SplatMatrix& jacobian)
 {
-  return weightOfCell(std::abs(Determinant(jacobian)),
-    std::max({ norm(jacobian[0]), norm(jacobian[1]), norm(jacobian[2]) }));
+  return WeightOfCell(std::abs(Determinant(jacobian)),
+    std::max({ Norm(jacobian[0]), Norm(jacobian[1]), Norm(jacobian[2]) }));
 }
 
 // A point on the boundary of a mesh has no cell beyond it. The splat of a whole cell may be wider than the cell.
-Vector3 halfWithin(const SplatMatrix& jacobian, double share, bool wholeCells)
+Vector3 HalfWithin(const SplatMatrix& jacobian, double share, bool wholeCells)
 {
   constexpr double inside = 0.99;
   const double part = share > inside ? 1.0 : wholeCells ? std::cbrt(share) : 0.0;
-  return part * halfExtent(jacobian);
+  return part * HalfExtent(jacobian);
 }
 
 struct SampleBox
@@ -63,7 +63,7 @@ struct SampleBox
   }
   bool LiesIn(const MediumBounds& bounds) const
   {
-    return holdsPlace(bounds, this->Low) && holdsPlace(bounds, this->High);
+    return HoldsPlace(bounds, this->Low) && HoldsPlace(bounds, this->High);
   }
   MediumBounds GetBounds() const
   {
@@ -73,7 +73,7 @@ struct SampleBox
 };
 
 // The cell of a sample that is more than twice as long as the medium: it reaches to a stray point.
-bool reachesOut(const Vector3& half, const MediumBounds& bounds)
+bool ReachesOut(const Vector3& half, const MediumBounds& bounds)
 {
   bool out = false;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -85,14 +85,14 @@ bool reachesOut(const Vector3& half, const MediumBounds& bounds)
 
 // Calls visit(id, place, jacobian, share) for all visible samples.
 template <typename Visit>
-void forEachSample(const SplatShapes& shapes, const Visit& visit)
+void ForEachSample(const SplatShapes& shapes, const Visit& visit)
 {
   SplatMatrix jacobian{};
   bool found = false;
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
     const Vector3 place = shapes.Place(id);
-    if (shapes.IsVisible(id) && isPlace(place))
+    if (shapes.IsVisible(id) && IsPlace(place))
     {
       jacobian = found && shapes.HaveOneShape() ? jacobian : shapes.Jacobian(id);
       found = true;
@@ -102,20 +102,20 @@ void forEachSample(const SplatShapes& shapes, const Visit& visit)
 }
 
 // Bounds of the samples' cells that lie in a box. All points of a flat mesh may be on its boundary: across it their cells count.
-MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box, bool wholeCells)
+MediumBounds BoundsWithin(const SplatShapes& shapes, const MediumBounds& box, bool wholeCells)
 {
   MediumBounds bounds = NoMediumBounds, whole = NoMediumBounds;
   const auto add = [&](MediumBounds& to, const SampleBox& cell) {
-    addPlace(to, cell.Low);
-    addPlace(to, cell.High);
+    ExtendBounds(to, cell.Low);
+    ExtendBounds(to, cell.High);
   };
-  forEachSample(
+  ForEachSample(
     shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian, double share) {
-      const SampleBox cell(place, halfWithin(jacobian, share, wholeCells));
+      const SampleBox cell(place, HalfWithin(jacobian, share, wholeCells));
       if (cell.LiesIn(box))
       {
         add(bounds, cell);
-        add(whole, SampleBox(place, halfExtent(jacobian)));
+        add(whole, SampleBox(place, HalfExtent(jacobian)));
       }
     });
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -128,39 +128,39 @@ MediumBounds boundsWithin(const SplatShapes& shapes, const MediumBounds& box, bo
   return bounds;
 }
 
-std::vector<WeightedPlace> weightedPlaces(const SplatShapes& shapes)
+std::vector<WeightedPlace> WeightedPlaces(const SplatShapes& shapes)
 {
   std::vector<WeightedPlace> places;
   const SampleChoice choice(shapes.GetNumberOfIds(), enoughPlaces);
   vtkIdType shown = 0;
-  forEachSample(shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian, double) {
+  ForEachSample(shapes, [&](vtkIdType, const Vector3& place, const SplatMatrix& jacobian, double) {
     if (choice.Takes(shown++))
     {
       const auto standing =
         static_cast<double>(choice.Standing()); // processes choose from different numbers
       places.push_back(
-        { { place[0], place[1], place[2] }, standing * weightOf(jacobian), standing });
+        { { place[0], place[1], place[2] }, standing * WeightOf(jacobian), standing });
     }
   });
   return places;
 }
 } // namespace
 
-MediumBounds boundsOfSamples(
+MediumBounds BoundsOfSamples(
   vtkDataSet* data, const SplatSampling& sampling, const MediumReduction& over)
 {
   if (!data || data->GetNumberOfPoints() == 0)
   {
-    return robustBounds(
+    return RobustBounds(
       {}, [](const MediumBounds&) { return NoMediumBounds; }, over);
   }
   const SplatShapes shapes(data, sampling);
-  return robustBounds(
-    weightedPlaces(shapes),
-    [&](const MediumBounds& box) { return boundsWithin(shapes, box, sampling.WholeCells); }, over);
+  return RobustBounds(
+    WeightedPlaces(shapes),
+    [&](const MediumBounds& box) { return BoundsWithin(shapes, box, sampling.WholeCells); }, over);
 }
 
-MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* scalars,
+MediumMeasures MeasureSplats(vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* scalars,
   const std::function<double(double)>& opacity, const MediumBounds& common)
 {
   MediumMeasures measures;
@@ -171,23 +171,23 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   const SplatShapes shapes(data, sampling);
   const SampleChoice choice(shapes.GetNumberOfIds());
   vtkIdType shown = 0, sampled = 0;
-  forEachSample(
+  ForEachSample(
     shapes, [&](vtkIdType id, const Vector3& place, const SplatMatrix& jacobian, double share) {
-      addPlace(measures.Bounds, place.data());
-      const Vector3 half = halfWithin(jacobian, share, sampling.WholeCells);
-      if (!SampleBox(place, half).LiesIn(common) || reachesOut(halfExtent(jacobian), common))
+      ExtendBounds(measures.Bounds, place.data());
+      const Vector3 half = HalfWithin(jacobian, share, sampling.WholeCells);
+      if (!SampleBox(place, half).LiesIn(common) || ReachesOut(HalfExtent(jacobian), common))
       {
         return;
       }
-      const SampleBox cell(place, halfExtent(jacobian));
+      const SampleBox cell(place, HalfExtent(jacobian));
       measures.AddPlace(common, place.data(), half.data());
       if (!choice.Takes(shown++))
       {
         return;
       }
       ++sampled;
-      const double scalar = scalars ? scalarOf(scalars, id) : 0.0;
-      const double a = norm(jacobian[0]), b = norm(jacobian[1]), c = norm(jacobian[2]);
+      const double scalar = scalars ? ScalarOf(scalars, id) : 0.0;
+      const double a = Norm(jacobian[0]), b = Norm(jacobian[1]), c = Norm(jacobian[2]);
       measures.Silhouettes += 0.5 * (a * b + b * c + c * a);
       measures.AddPart(common,
         { cell.GetBounds(), share * std::abs(Determinant(jacobian)), scalar,
@@ -198,19 +198,19 @@ MediumMeasures measureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
   measures.Scale(scale);
   if (scalars && shown > 0)
   {
-    findFiniteRange(scalars, measures.ScalarRange);
+    FindFiniteRange(scalars, measures.ScalarRange);
   }
   return measures;
 }
 
-SuitedVectors suitVectors(
+SuitedVectors SuitVectorsTo(
   const MediumMeasures& vectors, const MediumBounds& common, double greatestSpeed, double count)
 {
   const double greatest = greatestSpeed > 0.0 ? greatestSpeed : vectors.ScalarRange[1];
   const double mean = greatest > 0.0 && vectors.Volume > 0.0
     ? std::min(vectors.ScalarIntegral / vectors.Volume / greatest, 1.0)
     : 1.0;
-  const double samples = meanSamples(vectors, common); // along a ray
+  const double samples = MeanSamples(vectors, common); // along a ray
   const double layers = mean * samples;
   const double sheets = std::min(std::max(samples / samplesOfSheet, 1.0), readableLayers);
   SuitedVectors suited;

@@ -15,14 +15,14 @@ namespace nephoscope
  * Bounds of the cells that the visible samples of all processes stand for, without parts that are few and far away. `data`, the piece of this one, may
  * be null.
  */
-VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumBounds boundsOfSamples(
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumBounds BoundsOfSamples(
   vtkDataSet* data, const SplatSampling& sampling, const MediumReduction& over = {});
 
 /**
  * Measures a piece, which may be null, whose samples are points or cells, as far as it lies in the bounds of all pieces. `scalars` may be null, vectors count by
  * their magnitude; `opacity` may be empty. Integrals come from about 1e5 samples.
  */
-VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures measureSplats(vtkDataSet* data,
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures MeasureSplats(vtkDataSet* data,
   const SplatSampling& sampling, vtkDataArray* scalars,
   const std::function<double(double)>& opacity, const MediumBounds& common);
 
@@ -39,7 +39,7 @@ struct SuitedVectors
  * as many in deep data. `greatestSpeed`
  * 0: that of the measures; `count`: of vectors that are not 0.
  */
-VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SuitedVectors suitVectors(
+VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SuitedVectors SuitVectorsTo(
   const MediumMeasures& vectors, const MediumBounds& common, double greatestSpeed, double count);
 
 } // namespace nephoscope

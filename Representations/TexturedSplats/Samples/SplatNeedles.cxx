@@ -25,7 +25,7 @@ constexpr double narrow = 1.0 / 9, wide = 0.8, aroundAxis = 2;
 
 // False, at little cost, for nearly all samples of even meshes: the ellipsoid is not three times as long as it is wide. The product of the squares of
 // its three lengths is at most the least one times the square of half the sum of all.
-bool mayBeNeedle(const std::array<float, 9>& shape)
+bool MayBeNeedle(const std::array<float, 9>& shape)
 {
   const SplatMatrix m = MatrixOfShape(shape);
   const double volume = Determinant(m);
@@ -62,17 +62,17 @@ public:
   // Another sample, at this offset: so many times its square is needed.
   void Compare(const SplatMatrix& other, const Vector3& offset, double times = 1)
   {
-    const double length = norm(offset);
+    const double length = Norm(offset);
     for (std::size_t k = 0; k < 3 && length > 0; ++k)
     {
-      const double along = dot(this->Axes[k], offset) / length;
+      const double along = Dot(this->Axes[k], offset) / length;
       Vector3 across = this->Axes[k];
       for (std::size_t c = 0; c < 3; ++c)
       {
         across[c] -= along * offset[c] / length;
       }
       const double longest = *std::max_element(this->Squares.begin(), this->Squares.end());
-      const double width = std::min(dot(across, Times(other, across)), longest);
+      const double width = std::min(Dot(across, Times(other, across)), longest);
       if (this->Squares[k] < narrow * width)
       {
         this->Needed[k] = std::max(this->Needed[k], wide * std::min(times * width, longest));
@@ -111,7 +111,7 @@ private:
 
 // Pairs of corners: of hexahedra and quadrilaterals edges, of others all, as if they were divided into tetrahedra.
 template <typename Visit>
-void forEachEdge(int type, vtkIdType corners, const Visit& visit)
+void ForEachEdge(int type, vtkIdType corners, const Visit& visit)
 {
   const bool voxel = type == VTK_VOXEL || type == VTK_PIXEL;
   for (vtkIdType a = 0; a < corners; ++a)
@@ -146,7 +146,7 @@ public:
     this->Numbers.assign(splats.Shapes.size(), none);
     for (std::size_t i = 0; i < splats.Shapes.size(); ++i)
     {
-      if ((splats.Kept.empty() || !splats.Kept[i]) && mayBeNeedle(splats.Shapes[i]))
+      if ((splats.Kept.empty() || !splats.Kept[i]) && MayBeNeedle(splats.Shapes[i]))
       {
         this->Numbers[i] = static_cast<int>(this->Needles.size());
         this->Needles.emplace_back(splats.Shapes[i]);
@@ -160,7 +160,7 @@ public:
   {
     this->ForCells([&](vtkIdType cell) {
       const int type = this->Data->GetCellType(cell);
-      forEachEdge(type, this->Corners->GetNumberOfIds(), [&](vtkIdType a, vtkIdType b) {
+      ForEachEdge(type, this->Corners->GetNumberOfIds(), [&](vtkIdType a, vtkIdType b) {
         const std::size_t i = this->CornerOf(a), j = this->CornerOf(b);
         if (this->HasShape(i) && this->HasShape(j))
         {

@@ -21,7 +21,7 @@ namespace nephoscope
 {
 namespace
 {
-std::vector<vtkIdType> visibleIds(const SplatShapes& shapes)
+std::vector<vtkIdType> VisibleIds(const SplatShapes& shapes)
 {
   std::vector<vtkIdType> ids;
   ids.reserve(static_cast<std::size_t>(shapes.GetNumberOfIds()));
@@ -35,7 +35,7 @@ std::vector<vtkIdType> visibleIds(const SplatShapes& shapes)
   return ids;
 }
 
-SplatSamples::Jacobian toFloat(const SplatMatrix& matrix)
+SplatSamples::Jacobian ToFloat(const SplatMatrix& matrix)
 {
   SplatSamples::Jacobian result;
   for (std::size_t column = 0; column < 3; ++column)
@@ -49,7 +49,7 @@ SplatSamples::Jacobian toFloat(const SplatMatrix& matrix)
 }
 
 // Less than 0, 0, or more: the values of two samples, array by array. Values that are not numbers come last.
-int compareValues(vtkFieldData* arrays, vtkIdType a, vtkIdType b)
+int CompareValues(vtkFieldData* arrays, vtkIdType a, vtkIdType b)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
@@ -71,7 +71,7 @@ int compareValues(vtkFieldData* arrays, vtkIdType a, vtkIdType b)
 }
 
 // Drops what is nowhere, and brings the rest into the order of places; in one place, of values, so that the input's order is without effect.
-void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<Vector3>& places)
+void SortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<Vector3>& places)
 {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < ids.size(); ++i)
@@ -86,7 +86,7 @@ void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<
     {
       return places[a] < places[b];
     }
-    const int values = compareValues(arrays, ids[a], ids[b]);
+    const int values = CompareValues(arrays, ids[a], ids[b]);
     return values != 0 ? values < 0 : ids[a] < ids[b];
   });
   std::vector<vtkIdType> sortedIds(order.size());
@@ -101,7 +101,7 @@ void sortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<
 }
 
 // Shaders divide by the volume of a cell.
-std::string checkWidth(double widest)
+std::string CheckWidth(double widest)
 {
   constexpr double smallest = 5e-13; // whose volume is a normal number in single precision
   if (widest >= smallest)
@@ -138,7 +138,7 @@ void FindPlaceBounds(vtkDataSet* data, double bounds[6])
 
 namespace
 {
-bool hasExtent(const double bounds[6], int axis)
+bool HasExtent(const double bounds[6], int axis)
 {
   const double longest =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] });
@@ -148,7 +148,7 @@ bool hasExtent(const double bounds[6], int axis)
 
 int NumberOfAxes(const double bounds[6])
 {
-  return int(hasExtent(bounds, 0)) + int(hasExtent(bounds, 1)) + int(hasExtent(bounds, 2));
+  return int(HasExtent(bounds, 0)) + int(HasExtent(bounds, 1)) + int(HasExtent(bounds, 2));
 }
 
 double MeanSpacing(const double bounds[6], std::size_t count)
@@ -156,7 +156,7 @@ double MeanSpacing(const double bounds[6], std::size_t count)
   double volume = 1;
   for (int axis = 0; axis < 3; ++axis)
   {
-    volume *= hasExtent(bounds, axis) ? bounds[2 * axis + 1] - bounds[2 * axis] : 1.0;
+    volume *= HasExtent(bounds, axis) ? bounds[2 * axis + 1] - bounds[2 * axis] : 1.0;
   }
   const int axes = NumberOfAxes(bounds);
   return axes > 0 ? std::pow(volume / static_cast<double>(count), 1.0 / axes) : 1.0;
@@ -171,8 +171,8 @@ void FindJacobians(const SplatShapes& shapes, SplatSamples& samples)
 {
   samples.HaveOneShape = shapes.HaveOneShape() || samples.Size() == 1;
   samples.Jacobians.resize(samples.HaveOneShape ? 1 : samples.Size());
-  forAll(samples.Jacobians.size(),
-    [&](std::size_t i) { samples.Jacobians[i] = toFloat(shapes.Jacobian(samples.Ids[i])); });
+  ForAll(samples.Jacobians.size(),
+    [&](std::size_t i) { samples.Jacobians[i] = ToFloat(shapes.Jacobian(samples.Ids[i])); });
   samples.SomeJacobians.clear();
   for (std::size_t i = 0; i < samples.Jacobians.size(); i += samples.StrideOfSome())
   {
@@ -182,7 +182,7 @@ void FindJacobians(const SplatShapes& shapes, SplatSamples& samples)
 
 namespace
 {
-void findCenter(vtkDataSet* data, const SplatSampling& sampling, double center[3])
+void FindCenter(vtkDataSet* data, const SplatSampling& sampling, double center[3])
 {
   double bounds[6];
   FindPlaceBounds(data, bounds);
@@ -193,10 +193,10 @@ void findCenter(vtkDataSet* data, const SplatSampling& sampling, double center[3
   }
 }
 
-void takePlaces(const std::vector<Vector3>& places, SplatSamples& samples)
+void TakePlaces(const std::vector<Vector3>& places, SplatSamples& samples)
 {
   samples.Positions.resize(places.size());
-  forAll(places.size(), [&](std::size_t i) {
+  ForAll(places.size(), [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c)
     {
       samples.Positions[i][c] = static_cast<float>(places[i][c] - samples.Center[c]);
@@ -205,10 +205,10 @@ void takePlaces(const std::vector<Vector3>& places, SplatSamples& samples)
 }
 
 // None if all are whole.
-void takeShares(const SplatShapes& shapes, SplatSamples& samples)
+void TakeShares(const SplatShapes& shapes, SplatSamples& samples)
 {
   samples.Shares.resize(samples.Size());
-  forAll(samples.Shares.size(),
+  ForAll(samples.Shares.size(),
     [&](std::size_t i) { samples.Shares[i] = static_cast<float>(shapes.Share(samples.Ids[i])); });
   const auto whole = [](float share) { return share == 1.0f; };
   if (std::all_of(samples.Shares.begin(), samples.Shares.end(), whole))
@@ -217,7 +217,7 @@ void takeShares(const SplatShapes& shapes, SplatSamples& samples)
   }
 }
 
-double longestEdge(const SplatSamples& samples)
+double FindLongestEdge(const SplatSamples& samples)
 {
   double longest = 0.0;
   for (const SplatSamples::Jacobian& jacobian : samples.Jacobians)
@@ -243,16 +243,16 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
   }
   const SplatShapes shapes(data, sampling);
   std::copy_n(shapes.GetGrid().GetDimensions(), 3, samples.Dimensions);
-  std::vector<vtkIdType> ids = visibleIds(shapes);
+  std::vector<vtkIdType> ids = VisibleIds(shapes);
   const std::size_t visible = ids.size();
   for (vtkIdType id = 0; id < shapes.GetNumberOfIds(); ++id)
   {
     samples.NumberOfWrongSizes += shapes.HasWrongSize(id) ? 1 : 0;
   }
   std::vector<Vector3> places(visible);
-  forAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(ids[i]); });
+  ForAll(places.size(), [&](std::size_t i) { places[i] = shapes.Place(ids[i]); });
   const int kind = sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT;
-  sortByPlace(data->GetAttributesAsFieldData(kind), ids, places);
+  SortByPlace(data->GetAttributesAsFieldData(kind), ids, places);
   samples.NumberNowhere = visible - places.size();
   if (ids.empty())
   {
@@ -260,16 +260,16 @@ SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, s
     return samples;
   }
   samples.Ids = SampleIds(std::move(ids));
-  findCenter(data, sampling, samples.Center);
+  FindCenter(data, sampling, samples.Center);
   samples.AreVoxels = shapes.AreVoxels();
   samples.Voxel = shapes.GetVoxel();
   samples.FirstVoxel =
     shapes.GetFirstVoxel() - Vector3{ samples.Center[0], samples.Center[1], samples.Center[2] };
-  takePlaces(places, samples);
+  TakePlaces(places, samples);
   FindJacobians(shapes, samples);
-  takeShares(shapes, samples);
-  samples.LongestEdge = std::max(sampling.Frame.LongestEdge, longestEdge(samples));
-  error = checkWidth(samples.LongestEdge);
+  TakeShares(shapes, samples);
+  samples.LongestEdge = std::max(sampling.Frame.LongestEdge, FindLongestEdge(samples));
+  error = CheckWidth(samples.LongestEdge);
   return samples;
 }
 

@@ -19,8 +19,8 @@ public:
 
   void Compare(const Vector3& first, const Vector3& second, const Vector3& last)
   {
-    this->LongestEdge = std::max(this->LongestEdge, norm(second - first));
-    this->Farthest = std::max(this->Farthest, norm(last - first));
+    this->LongestEdge = std::max(this->LongestEdge, Norm(second - first));
+    this->Farthest = std::max(this->Farthest, Norm(last - first));
   }
 
   // All of the last column lies where the first does, to a ten thousandth of the longest edge between columns.

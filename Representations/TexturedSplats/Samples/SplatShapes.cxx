@@ -34,11 +34,11 @@ constexpr double flatShare = 0.02, thinnest = 1e-4;
 
 constexpr int jacobianSize = 9;
 
-vtkDataArray* sizeArrayOf(vtkDataSet* data, const SplatSampling& sampling)
+vtkDataArray* SizeArrayOf(vtkDataSet* data, const SplatSampling& sampling)
 {
   vtkDataArray* array = sampling.SizeArrayName.empty()
     ? nullptr
-    : attributesOf(data, sampling.OnCells)->GetArray(sampling.SizeArrayName.c_str());
+    : AttributesOf(data, sampling.OnCells)->GetArray(sampling.SizeArrayName.c_str());
   const vtkIdType count = sampling.OnCells ? data->GetNumberOfCells() : data->GetNumberOfPoints();
   const bool fits =
     array && array->GetNumberOfComponents() == 1 && array->GetNumberOfTuples() == count;
@@ -47,7 +47,7 @@ vtkDataArray* sizeArrayOf(vtkDataSet* data, const SplatSampling& sampling)
 
 using Bounds = std::array<double, 6>;
 
-void addSplat(Bounds& bounds, const Vector3& place, const SplatMatrix& jacobian, double radius)
+void AddSplat(Bounds& bounds, const Vector3& place, const SplatMatrix& jacobian, double radius)
 {
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -60,7 +60,7 @@ void addSplat(Bounds& bounds, const Vector3& place, const SplatMatrix& jacobian,
 }
 }
 
-vtkFieldData* attributesOf(vtkDataSet* data, bool onCells)
+vtkFieldData* AttributesOf(vtkDataSet* data, bool onCells)
 {
   return onCells ? static_cast<vtkFieldData*>(data->GetCellData()) : data->GetPointData();
 }
@@ -82,7 +82,7 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   }
   if (!sampling.ShapeArrayName.empty())
   {
-    this->ShapeArray = attributesOf(data, this->OnCells)->GetArray(sampling.ShapeArrayName.c_str());
+    this->ShapeArray = AttributesOf(data, this->OnCells)->GetArray(sampling.ShapeArrayName.c_str());
     const int components = this->ShapeArray ? this->ShapeArray->GetNumberOfComponents() : 0;
     const bool fits = (components == jacobianSize || components == jacobianSize + 1) &&
       this->ShapeArray->GetNumberOfTuples() == this->Count;
@@ -98,7 +98,7 @@ SplatShapes::SplatShapes(vtkDataSet* data, const SplatSampling& sampling)
   {
     return;
   }
-  this->SizeArray = sizeArrayOf(data, sampling);
+  this->SizeArray = SizeArrayOf(data, sampling);
   if (this->SizeArray || (!(this->CellSize > 0) && this->FindVoxels()))
   {
     return;
@@ -126,7 +126,7 @@ std::string SplatShapes::Check(vtkDataSet* data, const SplatSampling& sampling)
 {
   const bool asked =
     !sampling.SizeArrayName.empty() && !GridSamples(data, sampling.OnCells).IsGrid();
-  if (!asked || sizeArrayOf(data, sampling))
+  if (!asked || SizeArrayOf(data, sampling))
   {
     return std::string();
   }
@@ -297,14 +297,14 @@ void SplatShapes::FindRepeated()
 double SplatShapes::FindMeanSpacing() const
 {
   const MediumBounds bounds =
-    robustBoundsOfPlaces(this->Data->GetNumberOfPoints(), [&](vtkIdType point, double* x) {
+    RobustBoundsOfPlaces(this->Data->GetNumberOfPoints(), [&](vtkIdType point, double* x) {
       this->Data->GetPoint(point, x);
       return std::isfinite(x[0] + x[1] + x[2]);
     });
   std::size_t count = 0;
   for (vtkIdType id = 0; id < this->Count; ++id)
   {
-    count += this->IsVisible(id) && holdsPlace(bounds, this->Place(id).data()) ? 1 : 0;
+    count += this->IsVisible(id) && HoldsPlace(bounds, this->Place(id).data()) ? 1 : 0;
   }
   return MeanSpacing(bounds.data(), std::max<std::size_t>(count, 1));
 }
@@ -319,10 +319,10 @@ void FindSplatBounds(const SplatShapes& shapes, double kernelRadius, double boun
     for (vtkIdType id = begin; id < end; ++id)
     {
       const Vector3 place = shapes.Place(id);
-      if (shapes.IsVisible(id) && isFinite(place))
+      if (shapes.IsVisible(id) && IsFinite(place))
       {
         jacobian = shapes.HaveOneShape() ? jacobian : shapes.Jacobian(id);
-        addSplat(part, place, jacobian, kernelRadius);
+        AddSplat(part, place, jacobian, kernelRadius);
       }
     }
   });

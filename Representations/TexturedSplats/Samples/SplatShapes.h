@@ -47,7 +47,7 @@ struct SplatSampling
 };
 
 /** The arrays on cells, or those on points. */
-vtkFieldData* attributesOf(vtkDataSet* data, bool onCells);
+vtkFieldData* AttributesOf(vtkDataSet* data, bool onCells);
 
 /** Where a sample is: a point, or the centre of a cell. `grid`: of the same data. */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT Vector3 PlaceOf(

@@ -19,7 +19,7 @@ struct Box
   std::size_t Samples = 0;
 };
 
-std::map<std::uint64_t, Box> boxesOf(
+std::map<std::uint64_t, Box> BoxesOf(
   const BlockOrder& order, const BlockOrder::Index& sizes, int level)
 {
   std::map<std::uint64_t, Box> boxes;
@@ -51,11 +51,11 @@ TEST(BlockOrder, BlocksAreBoxesUpToTheWholeLattice)
   {
     const BlockOrder::Index sizes{ { 11, 6, 5 } };
     const BlockOrder order(sizes, edges);
-    EXPECT_EQ(boxesOf(order, sizes, 0).size(), 11u * 6 * 5);
-    EXPECT_EQ(boxesOf(order, sizes, order.GetNumberOfLevels() - 1).size(), 1u);
+    EXPECT_EQ(BoxesOf(order, sizes, 0).size(), 11u * 6 * 5);
+    EXPECT_EQ(BoxesOf(order, sizes, order.GetNumberOfLevels() - 1).size(), 1u);
     for (int level = 0; level < order.GetNumberOfLevels(); ++level)
     {
-      for (const auto& entry : boxesOf(order, sizes, level))
+      for (const auto& entry : BoxesOf(order, sizes, level))
       {
         const Box& box = entry.second;
         std::size_t volume = 1;
@@ -77,7 +77,7 @@ TEST(BlockOrder, FlatCellsAreHalvedAlongTheirShortEdgesFirst)
     { { 1, 1, 8 } }, { { 2, 1, 8 } }, { { 2, 2, 8 } }, { { 2, 2, 16 } } } };
   for (int level = 1; level < order.GetNumberOfLevels(); ++level)
   {
-    const Box box = boxesOf(order, sizes, level).begin()->second;
+    const Box box = BoxesOf(order, sizes, level).begin()->second;
     for (std::size_t c = 0; c < 3 && level <= 6; ++c)
     {
       EXPECT_EQ(box.Last[c] - box.First[c] + 1, expected[std::size_t(level) - 1][c])
@@ -91,8 +91,8 @@ TEST(BlockOrder, CubesMakeAnOctree)
   const BlockOrder::Index sizes{ { 8, 8, 8 } };
   const BlockOrder order(sizes, { { 1, 1.5, 1 } });
   EXPECT_EQ(order.GetNumberOfLevels(), 4);
-  EXPECT_EQ(boxesOf(order, sizes, 1).size(), 64u);
-  EXPECT_EQ(boxesOf(order, sizes, 2).size(), 8u);
+  EXPECT_EQ(BoxesOf(order, sizes, 1).size(), 64u);
+  EXPECT_EQ(BoxesOf(order, sizes, 2).size(), 8u);
 }
 
 TEST(BlockOrder, OneSample)

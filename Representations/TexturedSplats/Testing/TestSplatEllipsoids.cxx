@@ -27,11 +27,11 @@ inline SplatPassage PassSplat(
 {
   const Vector3 k = Times(inverseJacobian, direction);
   const Vector3 o = Times(inverseJacobian, offset);
-  const double length = norm(k);
-  return { norm(cross(o, k)) / length, 1.0 / length, -dot(o, k) / (length * length) };
+  const double length = Norm(k);
+  return { Norm(Cross(o, k)) / length, 1.0 / length, -Dot(o, k) / (length * length) };
 }
 
-double integrate(const SplatMatrix& inverse, const Vector3& offset, const Vector3& e)
+double Integrate(const SplatMatrix& inverse, const Vector3& offset, const Vector3& e)
 {
   const int steps = 40000;
   const double reach = 12.0, h = 2.0 * reach / steps;
@@ -40,7 +40,7 @@ double integrate(const SplatMatrix& inverse, const Vector3& offset, const Vector
   {
     const double s = -reach + (i + 0.5) * h;
     const Vector3 x = { { offset[0] + s * e[0], offset[1] + s * e[1], offset[2] + s * e[2] } };
-    sum += h * cubic_kernel::Value(norm(Times(inverse, x)));
+    sum += h * cubic_kernel::Value(Norm(Times(inverse, x)));
   }
   return sum;
 }
@@ -84,15 +84,15 @@ TEST(EllipsoidSplat, EveryRayThroughEveryCellIsExact)
     }
     const SplatMatrix inverse = Inverse(jacobian);
     Vector3 e = vector();
-    const double length = norm(e);
+    const double length = Norm(e);
     e = { { e[0] / length, e[1] / length, e[2] / length } };
     const Vector3 offset = vector();
     const SplatPassage passage = PassSplat(inverse, offset, e);
     EXPECT_NEAR(passage.Thickness * cubic_kernel::Footprint(passage.Distance),
-      integrate(inverse, offset, e), 2e-7);
+      Integrate(inverse, offset, e), 2e-7);
     const Vector3 nearest = { { offset[0] + passage.Depth * e[0], offset[1] + passage.Depth * e[1],
       offset[2] + passage.Depth * e[2] } };
-    EXPECT_NEAR(norm(Times(inverse, nearest)), passage.Distance, 1e-12);
+    EXPECT_NEAR(Norm(Times(inverse, nearest)), passage.Distance, 1e-12);
   }
 }
 

@@ -12,7 +12,7 @@ namespace
 {
 using nephoscope::SplatKernel;
 
-double simpson(const std::function<double(double)>& f, double a, double b, int steps)
+double Simpson(const std::function<double(double)>& f, double a, double b, int steps)
 {
   const double h = (b - a) / steps;
   double sum = f(a) + f(b);
@@ -23,7 +23,7 @@ double simpson(const std::function<double(double)>& f, double a, double b, int s
   return sum * h / 3.0;
 }
 
-double latticeSum(double x, double y, double z)
+double LatticeSum(double x, double y, double z)
 {
   double sum = 0.0;
   for (int i = -2; i <= 3; ++i)
@@ -40,7 +40,7 @@ double latticeSum(double x, double y, double z)
   return sum;
 }
 
-double sheetSum(SplatKernel kernel, double x, double y)
+double SheetSum(SplatKernel kernel, double x, double y)
 {
   double sum = 0.0;
   for (int i = -3; i <= 4; ++i)
@@ -53,10 +53,10 @@ double sheetSum(SplatKernel kernel, double x, double y)
   return sum;
 }
 
-double diskIntegral(SplatKernel kernel)
+double DiskIntegral(SplatKernel kernel)
 {
   const double pi = std::acos(-1.0);
-  return simpson([&](double r) { return 2.0 * pi * r * nephoscope::KernelFootprint(kernel, r); },
+  return Simpson([&](double r) { return 2.0 * pi * r * nephoscope::KernelFootprint(kernel, r); },
     0.0, nephoscope::KernelRadius(kernel), 4000);
 }
 }
@@ -68,7 +68,7 @@ TEST(CubicKernel, FootprintIsTheLineIntegral)
   {
     const double half = std::sqrt(radius * radius - rho * rho);
     const double exact =
-      2.0 * simpson([&](double z) { return Value(std::hypot(rho, z)); }, 0.0, half, 20000);
+      2.0 * Simpson([&](double z) { return Value(std::hypot(rho, z)); }, 0.0, half, 20000);
     EXPECT_NEAR(Footprint(rho), exact, 2e-9) << rho;
   }
 }
@@ -103,7 +103,7 @@ TEST(CubicKernel, ShareBeforeACutIsTheIntegral)
     for (double cut = -1.0; cut <= 1.0; cut += 0.0625)
     {
       const double part =
-        simpson([&](double z) { return Value(std::hypot(rho, z)); }, -half, cut * half, 2000);
+        Simpson([&](double z) { return Value(std::hypot(rho, z)); }, -half, cut * half, 2000);
       const double share =
         nephoscope::KernelShareBefore(nephoscope::SplatKernel::Cubic, rho, cut * half);
       EXPECT_NEAR(share * Footprint(rho), part, 1e-9) << rho << " " << cut;
@@ -129,17 +129,17 @@ TEST(GaussianKernel, ShareBeforeACutIsTheIntegral)
     for (double z = -3.0; z <= 3.0; z += 0.25)
     {
       const double share = nephoscope::KernelShareBefore(nephoscope::SplatKernel::Gaussian, rho, z);
-      EXPECT_NEAR(share * Footprint(rho), simpson(value, -6.0, z, 4000), 1e-9) << rho << " " << z;
+      EXPECT_NEAR(share * Footprint(rho), Simpson(value, -6.0, z, 4000), 1e-9) << rho << " " << z;
     }
   }
 }
 
 TEST(CubicKernel, LatticeSumIsFlat)
 {
-  EXPECT_NEAR(latticeSum(0, 0, 0), 1.0007489513372883, 1e-6);
-  EXPECT_NEAR(latticeSum(0.5, 0.5, 0), 1.0053347989862678, 1e-6);
-  EXPECT_NEAR(latticeSum(0.5, 0.5, 0.5), 1.0005397486660996, 1e-6);
-  EXPECT_NEAR(latticeSum(0.25, 0.25, 0.25), 0.9976923135692721, 1e-6);
+  EXPECT_NEAR(LatticeSum(0, 0, 0), 1.0007489513372883, 1e-6);
+  EXPECT_NEAR(LatticeSum(0.5, 0.5, 0), 1.0053347989862678, 1e-6);
+  EXPECT_NEAR(LatticeSum(0.5, 0.5, 0.5), 1.0005397486660996, 1e-6);
+  EXPECT_NEAR(LatticeSum(0.25, 0.25, 0.25), 0.9976923135692721, 1e-6);
   double low = 2.0, high = 0.0;
   for (int i = 0; i <= 15; ++i)
   {
@@ -147,7 +147,7 @@ TEST(CubicKernel, LatticeSumIsFlat)
     {
       for (int k = 0; k <= j; ++k)
       {
-        const double sum = latticeSum(i / 30.0, j / 30.0, k / 30.0);
+        const double sum = LatticeSum(i / 30.0, j / 30.0, k / 30.0);
         low = std::min(low, sum);
         high = std::max(high, sum);
       }
@@ -159,9 +159,9 @@ TEST(CubicKernel, LatticeSumIsFlat)
 
 TEST(CubicKernel, ColumnsOfALatticeSeenAlongAnAxis)
 {
-  EXPECT_NEAR(sheetSum(SplatKernel::Cubic, 0, 0), 1.0010322982424198, 1e-6);
-  EXPECT_NEAR(sheetSum(SplatKernel::Cubic, 0.5, 0.5), 1.002491337, 1e-6);
-  EXPECT_NEAR(-std::expm1(-sheetSum(SplatKernel::Cubic, 0.5, 0.5)), 0.633035930, 1e-6);
+  EXPECT_NEAR(SheetSum(SplatKernel::Cubic, 0, 0), 1.0010322982424198, 1e-6);
+  EXPECT_NEAR(SheetSum(SplatKernel::Cubic, 0.5, 0.5), 1.002491337, 1e-6);
+  EXPECT_NEAR(-std::expm1(-SheetSum(SplatKernel::Cubic, 0.5, 0.5)), 0.633035930, 1e-6);
 }
 
 TEST(CubicKernel, VarianceIsThatOfTheKernel)
@@ -169,8 +169,8 @@ TEST(CubicKernel, VarianceIsThatOfTheKernel)
   using namespace nephoscope::cubic_kernel;
   const double pi = std::acos(-1.0);
   const double square =
-    simpson([&](double r) { return 4.0 * pi * r * r * r * r * Value(r); }, 0.0, innerRadius, 2000) +
-    simpson(
+    Simpson([&](double r) { return 4.0 * pi * r * r * r * r * Value(r); }, 0.0, innerRadius, 2000) +
+    Simpson(
       [&](double r) { return 4.0 * pi * r * r * r * r * Value(r); }, innerRadius, radius, 2000);
   EXPECT_NEAR(square / 3.0, variance, 1e-5);
 }
@@ -182,7 +182,7 @@ TEST(QuadraticKernel, SheetIsFlatToItsRipple)
   {
     for (int j = 0; j <= i; ++j)
     {
-      const double sum = sheetSum(SplatKernel::Quadratic, i / 80.0, j / 80.0);
+      const double sum = SheetSum(SplatKernel::Quadratic, i / 80.0, j / 80.0);
       low = std::min(low, sum);
       high = std::max(high, sum);
     }
@@ -193,9 +193,9 @@ TEST(QuadraticKernel, SheetIsFlatToItsRipple)
 
 TEST(AllKernels, HaveUnitIntegral)
 {
-  EXPECT_NEAR(diskIntegral(SplatKernel::Cubic), 0.9999992, 2e-6);
-  EXPECT_NEAR(diskIntegral(SplatKernel::Quadratic), 1.0, 2e-6);
-  EXPECT_NEAR(diskIntegral(SplatKernel::Gaussian), 1.0 - 1e-4, 2e-6);
+  EXPECT_NEAR(DiskIntegral(SplatKernel::Cubic), 0.9999992, 2e-6);
+  EXPECT_NEAR(DiskIntegral(SplatKernel::Quadratic), 1.0, 2e-6);
+  EXPECT_NEAR(DiskIntegral(SplatKernel::Gaussian), 1.0 - 1e-4, 2e-6);
 }
 
 TEST(SplatCost, IsToldOfVeryManySplats)

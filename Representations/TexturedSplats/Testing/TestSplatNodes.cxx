@@ -13,7 +13,7 @@ using namespace nephoscope;
 
 namespace
 {
-SplatNode tree(std::vector<SplatNode> nodes)
+SplatNode Tree(std::vector<SplatNode> nodes)
 {
   while (nodes.size() > 1)
   {
@@ -38,7 +38,7 @@ TEST(SplatNode, ErrorsOfARamp)
     {
       leaves.push_back(SplatLeaf(i));
     }
-    const SplatNode root = tree(leaves);
+    const SplatNode root = Tree(leaves);
     EXPECT_NEAR(root.RootMeanSquareError(), std::sqrt((length * length - 1) / 12.0), 1e-12);
     EXPECT_NEAR(root.LargestError(), 0.5 * (length - 1), 1e-12);
   }

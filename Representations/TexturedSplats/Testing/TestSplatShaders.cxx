@@ -19,42 +19,42 @@ using namespace nephoscope_test;
 
 namespace
 {
-const std::vector<Float4>& none()
+const std::vector<Float4>& None()
 {
   static const std::vector<Float4> list;
   return list;
 }
 
-std::vector<Float4> evaluateFootprint(
+std::vector<Float4> EvaluateFootprint(
   SplatKernel kernel, const std::vector<Float4>& list, const std::string& body)
 {
   ShaderRunner runner;
   const std::string constants = "const int kernel = " + std::to_string(static_cast<int>(kernel)) +
     ";\nconst bool cutByOpaque = false;\nconst bool peeled = false;\n" + KernelConstants();
-  return runner.Run(constants + readShader("SplatFootprint.glsl"), body, list, none(),
+  return runner.Run(constants + ReadShader("SplatFootprint.glsl"), body, list, None(),
     [&](vtkShaderProgram* program) {
       program->SetUniformf("kernelRadius", static_cast<float>(KernelRadius(kernel)));
     });
 }
 
-std::vector<Float4> evaluateTexture(double spacing, const std::vector<Float4>& shapes,
+std::vector<Float4> EvaluateTexture(double spacing, const std::vector<Float4>& shapes,
   const std::vector<Float4>& places, const std::string& body)
 {
   ShaderRunner runner;
   std::ostringstream shape;
   shape << std::showpoint << "StreakShape shape = StreakShape(first.x, first.y, first.z, "
         << spacing << ", first.w);\n  ";
-  return runner.Run(VectorTextureConstants(1.0) + readShader("VectorTexture.glsl"),
+  return runner.Run(VectorTextureConstants(1.0) + ReadShader("VectorTexture.glsl"),
     shape.str() + body, shapes, places, [](vtkShaderProgram*) {});
 }
 
-streaks::Shape shapeOf(const Float4& list, double spacing)
+streaks::Shape ShapeOf(const Float4& list, double spacing)
 {
   return { list[0], list[1], list[2], spacing, list[3] };
 }
 
 // Streaks and round dots, coarser and finer than pixels; some without pixels.
-void makeStreaks(Random& random, std::vector<Float4>& shapes, std::vector<Float4>& places)
+void MakeStreaks(Random& random, std::vector<Float4>& shapes, std::vector<Float4>& places)
 {
   for (int i = 0; i < 20000; ++i)
   {
@@ -79,7 +79,7 @@ TEST(SplatFootprintShader, Footprint)
     { SplatKernel::Cubic, SplatKernel::Quadratic, SplatKernel::Gaussian })
   {
     const double radius = KernelRadius(kernel);
-    const auto results = evaluateFootprint(kernel, list, "result = vec4(footprint(first.x));");
+    const auto results = EvaluateFootprint(kernel, list, "result = vec4(footprint(first.x));");
     double largest = 0;
     for (std::size_t i = 0; i < list.size(); ++i)
     {
@@ -116,7 +116,7 @@ TEST(SplatFootprintShader, ShareBeforeACut)
   for (const SplatKernel kernel :
     { SplatKernel::Cubic, SplatKernel::Quadratic, SplatKernel::Gaussian })
   {
-    const auto results = evaluateFootprint(kernel, list,
+    const auto results = EvaluateFootprint(kernel, list,
       "float share = exactShareBefore(first.x, first.y); result = vec4(share, share * footprint(first.y), "
       "quickShareBefore(first.x, first.y), 0.0);");
     double largest = 0;
@@ -143,15 +143,15 @@ TEST(VectorTextureShader, Streaks)
 {
   Random random(72);
   std::vector<Float4> shapes, places;
-  makeStreaks(random, shapes, places);
+  MakeStreaks(random, shapes, places);
   for (const double spacing : { 0.4, 1.0 })
   {
-    const auto results = evaluateTexture(spacing, shapes, places,
+    const auto results = EvaluateTexture(spacing, shapes, places,
       "result = vec4(streakTexture(shape, second.xy, second.z, second.w));");
     double largest = 0;
     for (std::size_t i = 0; i < shapes.size(); ++i)
     {
-      const streaks::Shape shape = shapeOf(shapes[i], spacing);
+      const streaks::Shape shape = ShapeOf(shapes[i], spacing);
       const auto& p = places[i];
       // Where one streak follows the next the texture steps: a rounded place may lie on the other side.
       const double step = 1e-6 * shape.Period;
@@ -174,11 +174,11 @@ TEST(VectorTextureShader, MeanOfStreaks)
 {
   Random random(73);
   std::vector<Float4> shapes, places;
-  makeStreaks(random, shapes, places);
-  const auto results = evaluateTexture(0.7, shapes, places, "result = vec4(meanStreak(shape));");
+  MakeStreaks(random, shapes, places);
+  const auto results = EvaluateTexture(0.7, shapes, places, "result = vec4(meanStreak(shape));");
   for (std::size_t i = 0; i < shapes.size(); ++i)
   {
-    EXPECT_NEAR(results[i][0], streaks::Mean(shapeOf(shapes[i], 0.7)), 1e-6);
+    EXPECT_NEAR(results[i][0], streaks::Mean(ShapeOf(shapes[i], 0.7)), 1e-6);
   }
 }
 
@@ -196,7 +196,7 @@ TEST(VectorTextureShader, Segments)
   places[0] = Float4{};
   sizes[0] = { { 3.0f, 0.7f, 0, 0 } };
   ShaderRunner runner;
-  const auto results = runner.Run(VectorTextureConstants(1.0) + readShader("VectorTexture.glsl"),
+  const auto results = runner.Run(VectorTextureConstants(1.0) + ReadShader("VectorTexture.glsl"),
     "result = vec4(segmentCoverage(second.xy, first.x, first.y));", sizes, places,
     [](vtkShaderProgram*) {});
   EXPECT_NEAR(results[0][0], 0.514679405, 1e-6);

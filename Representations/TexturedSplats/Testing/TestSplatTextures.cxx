@@ -31,7 +31,7 @@ inline std::array<double, 3> JitterOf(float seed)
 constexpr streaks::Shape shape{ 4.0, 2.4, 0.1, 1.0, 0.0 };
 
 // By midpoints over one period and one row, whose pattern is not periodic across: over many rows.
-double meanOf(const streaks::Shape& of)
+double MeanOf(const streaks::Shape& of)
 {
   const double dx = 0.02, dy = 0.02;
   const int rows = 40;
@@ -142,7 +142,7 @@ TEST(Streaks, MeanOverACycleIsTheSameEverywhereAlong)
 
 TEST(Streaks, MeanInClosedForm)
 {
-  EXPECT_NEAR(meanOf(shape) / streaks::Mean(shape), 1.0, 5e-3);
+  EXPECT_NEAR(MeanOf(shape) / streaks::Mean(shape), 1.0, 5e-3);
 }
 
 TEST(Streaks, BlurKeepsTheInk)
@@ -151,7 +151,7 @@ TEST(Streaks, BlurKeepsTheInk)
   for (const double pixel : { 0.05, 0.1, 0.2 })
   {
     small.Pixel = pixel;
-    EXPECT_NEAR(meanOf(small) / meanOf(shape), 1.0, 0.05) << pixel;
+    EXPECT_NEAR(MeanOf(small) / MeanOf(shape), 1.0, 0.05) << pixel;
   }
   small.Pixel = 1.0; // a pixel as wide as a row: nothing but the mean is left
   EXPECT_NEAR(streaks::Value(small, 0.3, 0.2, 0.1, 0.5), streaks::Mean(small), 1e-12);
@@ -193,7 +193,7 @@ TEST(Streaks, LengthenedKernelIsFlat)
   for (int trial = 0; trial < 40; ++trial)
   {
     Vector3 v{ { normal(random), normal(random), trial % 2 ? normal(random) : 0.0 } };
-    const double length = norm(v);
+    const double length = Norm(v);
     const double longer = 1.0 + 3.0 * uniform(random);
     const double at[3] = { uniform(random), uniform(random), uniform(random) };
     double sum = 0.0;

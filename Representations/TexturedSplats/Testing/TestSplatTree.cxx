@@ -34,7 +34,7 @@ struct Scene
 };
 
 // Splats of a lattice of cells of 0.5 x 1 x 2, some of them left out; or of particles, if `dimensions` are of none.
-Scene makeScene(Random& random, std::array<int, 3> n, bool lattice, double left = 0.2)
+Scene MakeScene(Random& random, std::array<int, 3> n, bool lattice, double left = 0.2)
 {
   Scene scene;
   scene.Samples.HaveOneShape = true;
@@ -61,14 +61,14 @@ Scene makeScene(Random& random, std::array<int, 3> n, bool lattice, double left 
   return scene;
 }
 
-SplatTree treeOf(const Scene& scene)
+SplatTree TreeOf(const Scene& scene)
 {
   SplatTree tree;
   tree.Build(scene.Samples, scene.Classes, {});
   return tree;
 }
 
-std::vector<std::int32_t> leavesBelow(const SplatTree& tree, std::int32_t splat)
+std::vector<std::int32_t> LeavesBelow(const SplatTree& tree, std::int32_t splat)
 {
   if (tree.IsLeaf(splat))
   {
@@ -78,13 +78,13 @@ std::vector<std::int32_t> leavesBelow(const SplatTree& tree, std::int32_t splat)
   const SplatTreeNode& node = tree.Node(splat);
   for (const std::int32_t* c = tree.BeginChildren(node); c != tree.EndChildren(node); ++c)
   {
-    const auto more = leavesBelow(tree, *c);
+    const auto more = LeavesBelow(tree, *c);
     leaves.insert(leaves.end(), more.begin(), more.end());
   }
   return leaves;
 }
 
-double volumeOf(const SplatSamples::Jacobian& j)
+double VolumeOf(const SplatSamples::Jacobian& j)
 {
   SplatMatrix m;
   for (std::size_t c = 0; c < 3; ++c)
@@ -95,7 +95,7 @@ double volumeOf(const SplatSamples::Jacobian& j)
 }
 
 // Red emission and extinction, times volume.
-std::array<double, 2> massOf(const Scene& scene, const SplatTree& tree, const SplatCut& cut)
+std::array<double, 2> MassOf(const Scene& scene, const SplatTree& tree, const SplatCut& cut)
 {
   std::array<double, 2> sum{};
   for (std::size_t i = 0; i < cut.Splats.size(); ++i)
@@ -104,14 +104,14 @@ std::array<double, 2> massOf(const Scene& scene, const SplatTree& tree, const Sp
     const bool leaf = tree.IsLeaf(s);
     const auto& color = leaf ? scene.Classes.Colors[std::size_t(s)] : tree.Node(s).Color;
     const double weight = cut.Weights.empty() ? 1.0 : cut.Weights[i];
-    const double mass = weight * color[3] * (leaf ? 1.0 : volumeOf(tree.Node(s).Jacobian));
+    const double mass = weight * color[3] * (leaf ? 1.0 : VolumeOf(tree.Node(s).Jacobian));
     sum[0] += color[0] * mass;
     sum[1] += mass;
   }
   return sum;
 }
 
-std::vector<float> errorsOf(const Scene& scene, const SplatTree& tree, bool image)
+std::vector<float> ErrorsOf(const Scene& scene, const SplatTree& tree, bool image)
 {
   SplatErrorRule rule;
   rule.As = SplatErrorRule::Measure::RootMeanSquare;
@@ -125,15 +125,15 @@ TEST(SplatTree, NodesHaveTheMomentsOfWhatLiesBelow)
   Random random(31);
   for (const bool lattice : { true, false })
   {
-    const Scene scene = makeScene(random, { { 9, 5, 7 } }, lattice);
-    const SplatTree tree = treeOf(scene);
+    const Scene scene = MakeScene(random, { { 9, 5, 7 } }, lattice);
+    const SplatTree tree = TreeOf(scene);
     for (std::size_t i = 0; i < tree.Nodes().size(); ++i)
     {
       const SplatTreeNode& node = tree.Nodes()[i];
       double mass = 0, mean[3] = {}, second[3][3] = {};
       const double edges[3] = { 0.5, 1, 2 };
       for (const std::int32_t leaf :
-        leavesBelow(tree, static_cast<std::int32_t>(tree.Leaves() + i)))
+        LeavesBelow(tree, static_cast<std::int32_t>(tree.Leaves() + i)))
       {
         const double a = scene.Classes.Colors[std::size_t(leaf)][3];
         const auto& p =
@@ -149,7 +149,7 @@ TEST(SplatTree, NodesHaveTheMomentsOfWhatLiesBelow)
           }
         }
       }
-      EXPECT_NEAR(node.Color[3] * volumeOf(node.Jacobian), mass, 2e-5 * mass);
+      EXPECT_NEAR(node.Color[3] * VolumeOf(node.Jacobian), mass, 2e-5 * mass);
       for (std::size_t c = 0; c < 3; ++c)
       {
         EXPECT_NEAR(node.Position[c], mean[c] / mass, 1e-4);
@@ -172,8 +172,8 @@ TEST(SplatTree, NodesHaveTheMomentsOfWhatLiesBelow)
 TEST(SplatTree, FlatCellsArePutTogetherAlongTheirShortEdges)
 {
   Random random(37);
-  const Scene scene = makeScene(random, { { 16, 1, 4 } }, true, 0.0); // cells of 0.5 x 1 x 2
-  const SplatTree tree = treeOf(scene);
+  const Scene scene = MakeScene(random, { { 16, 1, 4 } }, true, 0.0); // cells of 0.5 x 1 x 2
+  const SplatTree tree = TreeOf(scene);
   const SplatTreeNode& first = tree.Nodes()[0];
   EXPECT_EQ(tree.EndChildren(first) - tree.BeginChildren(first), 2);
   EXPECT_GT(first.Jacobian[0][0], 0.6);
@@ -188,8 +188,8 @@ TEST(SplatTree, ErrorsAreThoseOfAPicture)
   for (const std::array<int, 3> n :
     { std::array<int, 3>{ { 2, 2, 2 } }, { { 1, 2, 2 } }, { { 2, 1, 1 } } })
   {
-    const Scene scene = makeScene(random, n, true, 0.0);
-    const SplatTree tree = treeOf(scene);
+    const Scene scene = MakeScene(random, n, true, 0.0);
+    const SplatTree tree = TreeOf(scene);
     const SplatCutView view{ { { 0, 0, 1, 0 } }, 1e-6 };
     const auto picture = [&](std::int32_t s, double x, double y, std::size_t channel) {
       const bool leaf = tree.IsLeaf(s);
@@ -206,7 +206,7 @@ TEST(SplatTree, ErrorsAreThoseOfAPicture)
       x -= p[0];
       y -= p[1];
       const double determinant = xx * yy - xy * xy;
-      const double mass = volumeOf(j) * color[3] * (channel < 3 ? color[channel] : 1);
+      const double mass = VolumeOf(j) * color[3] * (channel < 3 ? color[channel] : 1);
       return mass * std::exp(-0.5 * (yy * x * x - 2 * xy * x * y + xx * y * y) / determinant) /
         (2 * 3.14159265358979 * std::sqrt(determinant));
     };
@@ -251,14 +251,14 @@ TEST(SplatTree, ErrorsAreThoseOfAPicture)
 TEST(SplatTree, SplatsOneBehindTheOtherMakeNoError)
 {
   Random random(39);
-  const Scene scene = makeScene(random, { { 1, 1, 2 } }, true, 0.0);
-  const SplatTree tree = treeOf(scene);
+  const Scene scene = MakeScene(random, { { 1, 1, 2 } }, true, 0.0);
+  const SplatTree tree = TreeOf(scene);
   SplatErrorRule rule;
   rule.As = SplatErrorRule::Measure::RootMeanSquare;
   auto color = scene.Classes;
   color.Colors[1] = color.Colors[0];
   Scene same{ scene.Samples, color };
-  const SplatTree alike = treeOf(same);
+  const SplatTree alike = TreeOf(same);
   const auto errorFrom = [&](const SplatEye& eye) {
     return FindSplatErrors(alike, same.Samples, same.Classes, rule, { eye, 1e-6 })[0];
   };
@@ -276,8 +276,8 @@ TEST(SplatTree, ErrorsAreThoseOfTheWorld)
     const Vector3 w = Times(stretch, Vector3{ { v[0], v[1], v[2] } });
     return std::array<float, 3>{ { float(w[0]), float(w[1]), float(w[2]) } };
   };
-  Scene scene = makeScene(random, { { 1, 2, 1 } }, true, 0.0); // one node, whatever the shape
-  const SplatTree tree = treeOf(scene);
+  Scene scene = MakeScene(random, { { 1, 2, 1 } }, true, 0.0); // one node, whatever the shape
+  const SplatTree tree = TreeOf(scene);
   Scene other = scene;
   for (auto& place : other.Samples.Positions)
   {
@@ -287,7 +287,7 @@ TEST(SplatTree, ErrorsAreThoseOfTheWorld)
   {
     column = stretched(column);
   }
-  const SplatTree otherTree = treeOf(other);
+  const SplatTree otherTree = TreeOf(other);
   const Vector3 eye{ { 3, 7, 12 } };
   const Vector3 otherEye = Times(stretch, eye);
   for (const double place : { 0.0, 1.0 }) // at infinity or not
@@ -312,24 +312,24 @@ TEST(SplatTree, EveryCutKeepsMassAndEmissionAndHoldsEveryLeafOnce)
   Random random(32);
   for (const bool lattice : { true, false })
   {
-    const Scene scene = makeScene(random, { { 11, 6, 9 } }, lattice);
-    const SplatTree tree = treeOf(scene);
+    const Scene scene = MakeScene(random, { { 11, 6, 9 } }, lattice);
+    const SplatTree tree = TreeOf(scene);
     SplatCut all;
     for (std::size_t i = 0; i < tree.Leaves(); ++i)
     {
       all.Splats.push_back(static_cast<std::int32_t>(i));
     }
-    const auto exact = massOf(scene, tree, all);
+    const auto exact = MassOf(scene, tree, all);
     for (const bool image : { true, false })
     {
-      const auto errors = errorsOf(scene, tree, image);
+      const auto errors = ErrorsOf(scene, tree, image);
       for (const double blend : { 0.0, 0.4 })
       {
         std::size_t last = 2 * all.Splats.size();
         for (const double tolerance : { 0.0, 0.3, 1.0, 2.0, 5.0, 1e6 })
         {
           const auto cut = CutSplatTree(tree, errors, { tolerance, blend, 0 });
-          const auto mass = massOf(scene, tree, cut);
+          const auto mass = MassOf(scene, tree, cut);
           EXPECT_NEAR(mass[0] / exact[0], 1, 1e-4);
           EXPECT_NEAR(mass[1] / exact[1], 1, 1e-4);
           EXPECT_LE(cut.Splats.size(), last);
@@ -337,7 +337,7 @@ TEST(SplatTree, EveryCutKeepsMassAndEmissionAndHoldsEveryLeafOnce)
           std::vector<double> held(tree.Leaves(), 0.0); // with all their weight
           for (std::size_t i = 0; i < cut.Splats.size(); ++i)
           {
-            for (const std::int32_t leaf : leavesBelow(tree, cut.Splats[i]))
+            for (const std::int32_t leaf : LeavesBelow(tree, cut.Splats[i]))
             {
               held[std::size_t(leaf)] += cut.Weights.empty() ? 1.0 : cut.Weights[i];
             }
@@ -358,9 +358,9 @@ TEST(SplatTree, EveryCutKeepsMassAndEmissionAndHoldsEveryLeafOnce)
 TEST(SplatTree, LevelsFade)
 {
   Random random(40);
-  const Scene scene = makeScene(random, { { 11, 6, 9 } }, true);
-  const SplatTree tree = treeOf(scene);
-  const auto errors = errorsOf(scene, tree, true);
+  const Scene scene = MakeScene(random, { { 11, 6, 9 } }, true);
+  const SplatTree tree = TreeOf(scene);
+  const auto errors = ErrorsOf(scene, tree, true);
   std::vector<double> before;
   double greatest = 0;
   for (double tolerance = 1; tolerance < 4; tolerance *= 1.002)
@@ -385,9 +385,9 @@ TEST(SplatTree, LevelsFade)
 TEST(SplatTree, BudgetIsKeptAndNearlyUsed)
 {
   Random random(33);
-  const Scene scene = makeScene(random, { { 16, 12, 10 } }, true);
-  const SplatTree tree = treeOf(scene);
-  const auto errors = errorsOf(scene, tree, true);
+  const Scene scene = MakeScene(random, { { 16, 12, 10 } }, true);
+  const SplatTree tree = TreeOf(scene);
+  const auto errors = ErrorsOf(scene, tree, true);
   for (const std::size_t most : { 1, 10, 100, 500 })
   {
     for (const double blend : { 0.0, 0.3 })
@@ -403,8 +403,8 @@ TEST(SplatTree, BudgetIsKeptAndNearlyUsed)
 TEST(SplatTree, AroundTheEyeOnlyLeavesAreDrawn)
 {
   Random random(34);
-  const Scene scene = makeScene(random, { { 8, 8, 8 } }, true, 0);
-  const SplatTree tree = treeOf(scene);
+  const Scene scene = MakeScene(random, { { 8, 8, 8 } }, true, 0);
+  const SplatTree tree = TreeOf(scene);
   SplatErrorRule rule;
   rule.KernelRadius = 1.556;
   const auto errors =
@@ -420,14 +420,14 @@ TEST(SplatTree, AroundTheEyeOnlyLeavesAreDrawn)
 TEST(SplatTree, TheSameForAnyNumberOfThreads)
 {
   Random random(35);
-  const Scene scene = makeScene(random, { { 40, 30, 20 } }, false);
+  const Scene scene = MakeScene(random, { { 40, 30, 20 } }, false);
   SplatTree trees[2];
   std::vector<std::int32_t> cuts[2];
   for (int i = 0; i < 2; ++i)
   {
-    nephoscope_test::withThreads(i == 0 ? 1 : 4, [&]() {
-      trees[i] = treeOf(scene);
-      cuts[i] = CutSplatTree(trees[i], errorsOf(scene, trees[i], true), { 0, 0, 3000 }).Splats;
+    nephoscope_test::WithThreads(i == 0 ? 1 : 4, [&]() {
+      trees[i] = TreeOf(scene);
+      cuts[i] = CutSplatTree(trees[i], ErrorsOf(scene, trees[i], true), { 0, 0, 3000 }).Splats;
     });
   }
   ASSERT_EQ(trees[0].Nodes().size(), trees[1].Nodes().size());
@@ -441,24 +441,24 @@ TEST(SplatTree, TheSameForAnyNumberOfThreads)
 TEST(SplatTree, NodesAreSmallWhereManySamplesAreInOnePlace)
 {
   Random random(29);
-  Scene scene = makeScene(random, { { 40, 25, 20 } }, false, 0.0);
+  Scene scene = MakeScene(random, { { 40, 25, 20 } }, false, 0.0);
   for (std::size_t i = 0; i + 10 < scene.Samples.Positions.size(); ++i)
   {
     scene.Samples.Positions[i] = { { 3, 4, 5 } };
   }
-  const SplatTree tree = treeOf(scene);
+  const SplatTree tree = TreeOf(scene);
   for (std::size_t n = 0; n < tree.Nodes().size(); ++n)
   {
     const SplatTreeNode& node = tree.Nodes()[n];
     ASSERT_LE(tree.EndChildren(node) - tree.BeginChildren(node), 8);
   }
-  EXPECT_EQ(leavesBelow(tree, tree.Root()).size(), scene.Classes.Samples.size());
+  EXPECT_EQ(LeavesBelow(tree, tree.Root()).size(), scene.Classes.Samples.size());
 }
 
 TEST(SplatTree, OneAndNoSplat)
 {
   Random random(36);
-  const Scene one = makeScene(random, { { 1, 1, 1 } }, true, 0);
-  EXPECT_EQ(CutSplatTree(treeOf(one), {}, {}).Splats, std::vector<std::int32_t>{ 0 });
-  EXPECT_TRUE(treeOf(makeScene(random, { { 2, 2, 2 } }, true, 2)).IsEmpty());
+  const Scene one = MakeScene(random, { { 1, 1, 1 } }, true, 0);
+  EXPECT_EQ(CutSplatTree(TreeOf(one), {}, {}).Splats, std::vector<std::int32_t>{ 0 });
+  EXPECT_TRUE(TreeOf(MakeScene(random, { { 2, 2, 2 } }, true, 2)).IsEmpty());
 }

@@ -34,11 +34,11 @@ inline SplatMatrix LengthenedCell(
   const double cell = ReachAlong(jacobian, vector);
   const double longer =
     std::max(1.0, streakKernelShare * look.StreakPeriod * look.Unit / cell) - 1.0;
-  const double square = dot(vector, vector);
+  const double square = Dot(vector, vector);
   SplatMatrix lengthened = jacobian;
   for (Vector3& column : lengthened)
   {
-    const double along = longer * dot(vector, column) / square;
+    const double along = longer * Dot(vector, column) / square;
     for (std::size_t c = 0; c < 3; ++c)
     {
       column[c] += along * vector[c];

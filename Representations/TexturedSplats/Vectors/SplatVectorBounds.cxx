@@ -14,7 +14,7 @@ namespace
 {
 // Calls work(id, vector) for all samples that have one.
 template <typename Work>
-void forVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
+void ForVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
 {
   if (!vectors || vectors->GetNumberOfComponents() != 3 ||
     vectors->GetNumberOfTuples() != shapes.GetNumberOfIds())
@@ -25,7 +25,7 @@ void forVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
   {
     Vector3 v;
     vectors->GetTuple(id, v.data());
-    const double speed = norm(v);
+    const double speed = Norm(v);
     if (speed > 0 && std::isfinite(speed) && shapes.IsVisible(id))
     {
       work(id, v);
@@ -34,23 +34,23 @@ void forVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
 }
 
 // As SplatVectors has it.
-float speedOf(const Vector3& v)
+float SpeedOf(const Vector3& v)
 {
   return SpeedOf({ { float(v[0]), float(v[1]), float(v[2]) } });
 }
 
 // From the centre of a sample along an axis.
-double reachOf(const SplatMatrix& jacobian, const Vector3& v, const VectorLook& look,
+double ReachOf(const SplatMatrix& jacobian, const Vector3& v, const VectorLook& look,
   double kernelRadius, std::size_t axis)
 {
   if (look.Segments)
   {
     const double cell =
       std::abs(jacobian[0][axis]) + std::abs(jacobian[1][axis]) + std::abs(jacobian[2][axis]);
-    return 0.5 * cell + segmentReach * look.SegmentLength * look.Unit * std::abs(v[axis]) / norm(v);
+    return 0.5 * cell + segmentReach * look.SegmentLength * look.Unit * std::abs(v[axis]) / Norm(v);
   }
   const SplatMatrix j = LengthenedCell(jacobian, v, look);
-  return kernelRadius * norm({ { j[0][axis], j[1][axis], j[2][axis] } });
+  return kernelRadius * Norm({ { j[0][axis], j[1][axis], j[2][axis] } });
 }
 }
 
@@ -65,8 +65,8 @@ SpeedCounts CountSpeeds(vtkDataSet* data, const SplatSampling& sampling, vtkData
     simple.Frame = sampling.Frame;
     simple.SizeArrayName = sampling.SizeArrayName;
     simple.ShapeArrayName = sampling.ShapeArrayName;
-    forVectors(SplatShapes(data, simple), vectors,
-      [&](vtkIdType, const Vector3& v) { speeds.Add(speedOf(v)); });
+    ForVectors(SplatShapes(data, simple), vectors,
+      [&](vtkIdType, const Vector3& v) { speeds.Add(SpeedOf(v)); });
   }
   return speeds;
 }
@@ -74,8 +74,8 @@ SpeedCounts CountSpeeds(vtkDataSet* data, const SplatSampling& sampling, vtkData
 VectorSums SumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
 {
   VectorSums sums;
-  forVectors(shapes, vectors, [&](vtkIdType id, const Vector3& v) {
-    sums.Speeds.Add(speedOf(v));
+  ForVectors(shapes, vectors, [&](vtkIdType id, const Vector3& v) {
+    sums.Speeds.Add(SpeedOf(v));
     sums.Cells += ReachAlong(shapes.Jacobian(id), v);
     ++sums.Count;
   });
@@ -85,12 +85,12 @@ VectorSums SumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
 void AddVectorBounds(const SplatShapes& shapes, vtkDataArray* vectors, const VectorLook& look,
   double kernelRadius, double bounds[6])
 {
-  forVectors(shapes, vectors, [&](vtkIdType id, const Vector3& v) {
+  ForVectors(shapes, vectors, [&](vtkIdType id, const Vector3& v) {
     const Vector3 place = shapes.Place(id);
     const SplatMatrix jacobian = shapes.Jacobian(id);
     for (std::size_t axis = 0; axis < 3 && std::isfinite(place[0] + place[1] + place[2]); ++axis)
     {
-      const double reach = reachOf(jacobian, v, look, kernelRadius, axis);
+      const double reach = ReachOf(jacobian, v, look, kernelRadius, axis);
       bounds[2 * axis] = std::min(bounds[2 * axis], place[axis] - reach);
       bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], place[axis] + reach);
     }

@@ -22,7 +22,7 @@ namespace nephoscope
 namespace
 {
 // One number of a tuple: the value, or of several components their magnitude.
-double magnitudeOf(vtkDataArray* array, vtkIdType id)
+double MagnitudeOf(vtkDataArray* array, vtkIdType id)
 {
   const int components = array->GetNumberOfComponents();
   if (components == 1)
@@ -37,46 +37,46 @@ double magnitudeOf(vtkDataArray* array, vtkIdType id)
   return std::sqrt(sum);
 }
 
-std::string checkColors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings)
+std::string CheckColors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings)
 {
-  vtkFieldData* attributes = attributesOf(data, onCells);
+  vtkFieldData* attributes = AttributesOf(data, onCells);
   vtkDataArray* array = attributes->GetArray(settings.ColorArrayName.c_str());
   if (!array)
   {
     return std::string(onCells ? "No cell array" : "No point array") + " named '" +
       settings.ColorArrayName +
       "' for the colours of the vectors, which must be where the vectors are. Choose one with SetVectorColorArrayName; arrays there: " +
-      arrayNames(attributes) + ".";
+      NamesOfArrays(attributes) + ".";
   }
   if (!settings.ColorFunction)
   {
     return "VectorColorArrayName is '" + settings.ColorArrayName +
       "', but there is no function for its colours: call SetVectorColorFunction.";
   }
-  return checkLength(data, { array, onCells, 0 });
+  return CheckLength(data, { array, onCells, 0 });
 }
 }
 
-std::string checkVectors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings)
+std::string CheckVectors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings)
 {
-  vtkFieldData* attributes = attributesOf(data, onCells);
+  vtkFieldData* attributes = AttributesOf(data, onCells);
   vtkDataArray* array = attributes->GetArray(settings.ArrayName.c_str());
   if (!array || array->GetNumberOfComponents() != 3)
   {
     // On several ranks of ParaView arrays of points have become arrays of cells: neither word would help.
     return "No array of three components named '" + settings.ArrayName +
       "' for the vectors is where the coloured array is. Choose one with SetVectorArrayName; arrays of three components there: " +
-      arrayNames(attributes, 3) + ".";
+      NamesOfArrays(attributes, 3) + ".";
   }
-  const std::string length = checkLength(data, { array, onCells, 0 });
+  const std::string length = CheckLength(data, { array, onCells, 0 });
   return !length.empty() || settings.ColorArrayName.empty() ? length
-                                                            : checkColors(data, onCells, settings);
+                                                            : CheckColors(data, onCells, settings);
 }
 
 void SplatVectorScene::Update(
   vtkDataSet* data, bool onCells, const SplatSamples& samples, const SplatVectorSettings& settings)
 {
-  vtkDataArray* array = attributesOf(data, onCells)->GetArray(settings.ArrayName.c_str());
+  vtkDataArray* array = AttributesOf(data, onCells)->GetArray(settings.ArrayName.c_str());
   const ArrayKey key(array, array->GetMTime());
   if (key != this->ReadFrom)
   {
@@ -98,7 +98,7 @@ void SplatVectorScene::ReadColors(
     this->ColorsFrom = ColorKey(nullptr, 0, nullptr, 0);
     return;
   }
-  vtkDataArray* array = attributesOf(data, onCells)->GetArray(settings.ColorArrayName.c_str());
+  vtkDataArray* array = AttributesOf(data, onCells)->GetArray(settings.ColorArrayName.c_str());
   const ColorKey key(
     array, array->GetMTime(), settings.ColorFunction, settings.ColorFunction->GetMTime());
   if (key == this->ColorsFrom)
@@ -110,7 +110,7 @@ void SplatVectorScene::ReadColors(
   for (std::size_t i = 0; i < this->Colors.size(); ++i)
   {
     double rgb[3];
-    settings.ColorFunction->GetColor(magnitudeOf(array, samples.Ids[i]), rgb);
+    settings.ColorFunction->GetColor(MagnitudeOf(array, samples.Ids[i]), rgb);
     this->Colors[i] = { { float(rgb[0]), float(rgb[1]), float(rgb[2]) } };
   }
   this->ColorsFrom = key;

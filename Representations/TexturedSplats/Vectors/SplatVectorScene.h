@@ -32,12 +32,12 @@ struct SplatVectorSettings
 };
 
 /** The problem with the arrays, or an empty string. */
-std::string checkVectors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings);
+std::string CheckVectors(vtkDataSet* data, bool onCells, const SplatVectorSettings& settings);
 
 class SplatVectorScene
 {
 public:
-  /** Reads the arrays, which checkVectors has found good. */
+  /** Reads the arrays, which CheckVectors has found good. */
   void Update(vtkDataSet* data, bool onCells, const SplatSamples& samples,
     const SplatVectorSettings& settings);
 

@@ -19,12 +19,12 @@ namespace nephoscope
 {
 namespace
 {
-double cellAlong(const SplatSamples::Jacobian& j, const std::array<float, 3>& v)
+double CellAlong(const SplatSamples::Jacobian& j, const std::array<float, 3>& v)
 {
   return ReachAlong({ { ToDouble(j[0]), ToDouble(j[1]), ToDouble(j[2]) } }, ToDouble(v));
 }
 
-std::array<float, 3> vectorAt(vtkDataArray* vectors, vtkIdType id)
+std::array<float, 3> VectorAt(vtkDataArray* vectors, vtkIdType id)
 {
   double v[3];
   vectors->GetTuple(id, v);
@@ -56,7 +56,7 @@ void SplatVectors::Read(
     // The place in the file: as it is relative to a centre it differs between ranks.
     const double cell = SpeedOf(samples.JacobianOf(i)[0]);
     this->Seeds[i] = nephoscope::SeedOf(PlaceOf(data, grid, onCells, samples.Ids[i]).data(), cell);
-    this->Vectors[i] = vectorAt(vectors, samples.Ids[i]);
+    this->Vectors[i] = VectorAt(vectors, samples.Ids[i]);
     const float speed = SpeedOf(this->Vectors[i]);
     if (!std::isfinite(speed))
     {
@@ -66,7 +66,7 @@ void SplatVectors::Read(
     else if (speed > 0)
     {
       this->Speeds.Add(speed);
-      cells += cellAlong(samples.JacobianOf(i), this->Vectors[i]);
+      cells += CellAlong(samples.JacobianOf(i), this->Vectors[i]);
       ++moving;
     }
   }

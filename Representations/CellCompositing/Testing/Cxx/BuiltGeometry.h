@@ -23,20 +23,20 @@ namespace nephoscope_test
 
 using namespace nephoscope;
 
-inline double volumeOf(const CellGeometry& geometry)
+inline double VolumeOf(const CellGeometry& geometry)
 {
   double sum = 0;
   for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
   {
     const std::array<Vector3, 4> p = geometry.Vertices(i);
     sum += std::fabs(
-             dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0]))) /
+             Dot(Cross(Difference(p[1], p[0]), Difference(p[2], p[0])), Difference(p[3], p[0]))) /
       6;
   }
   return sum;
 }
 
-inline CellGeometry build(
+inline CellGeometry Build(
   vtkDataSet* data, vtkDataArray* array, bool onCells = false, int component = -1)
 {
   CellGeometry geometry;
@@ -44,24 +44,24 @@ inline CellGeometry build(
   return geometry;
 }
 
-inline CellGeometry buildNumbered(vtkDataSet* data)
+inline CellGeometry BuildNumbered(vtkDataSet* data)
 {
-  return build(data, addPointNumbers(data));
+  return Build(data, AddPointNumbers(data));
 }
 
-inline double scalarOf(const CellGeometry& geometry, float normalised)
+inline double ScalarOf(const CellGeometry& geometry, float normalised)
 {
   return geometry.ScalarRange[0] + normalised * (geometry.ScalarRange[1] - geometry.ScalarRange[0]);
 }
 
-inline void hideCell(
+inline void HideCell(
   vtkDataSet* data, vtkIdType cell, unsigned char flag = vtkDataSetAttributes::HIDDENCELL)
 {
   data->AllocateCellGhostArray()->SetValue(cell, flag);
 }
 
 /** The unit cube as one cell of each linear type, or cut into several of them. */
-inline vtkSmartPointer<vtkUnstructuredGrid> unitCubeOf(int type)
+inline vtkSmartPointer<vtkUnstructuredGrid> UnitCubeOf(int type)
 {
   const std::vector<std::array<double, 3>> p = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
     { { 0, 1, 0 } }, { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 1, 1, 1 } }, { { 0, 1, 1 } },
@@ -69,19 +69,19 @@ inline vtkSmartPointer<vtkUnstructuredGrid> unitCubeOf(int type)
   switch (type)
   {
     case VTK_TETRA:
-      return makeGrid(p,
+      return MakeGrid(p,
         { { type, { 0, 1, 3, 4 } }, { type, { 1, 2, 3, 6 } }, { type, { 1, 5, 4, 6 } },
           { type, { 3, 4, 6, 7 } }, { type, { 1, 3, 4, 6 } } });
     case VTK_VOXEL:
-      return makeGrid(p, { { type, { 0, 1, 3, 2, 4, 5, 7, 6 } } });
+      return MakeGrid(p, { { type, { 0, 1, 3, 2, 4, 5, 7, 6 } } });
     case VTK_WEDGE:
-      return makeGrid(p, { { type, { 0, 1, 2, 4, 5, 6 } }, { type, { 0, 2, 3, 4, 6, 7 } } });
+      return MakeGrid(p, { { type, { 0, 1, 2, 4, 5, 6 } }, { type, { 0, 2, 3, 4, 6, 7 } } });
     case VTK_PYRAMID:
-      return makeGrid(p,
+      return MakeGrid(p,
         { { type, { 0, 1, 2, 3, 8 } }, { type, { 4, 5, 6, 7, 8 } }, { type, { 0, 1, 5, 4, 8 } },
           { type, { 3, 2, 6, 7, 8 } }, { type, { 0, 3, 7, 4, 8 } }, { type, { 1, 2, 6, 5, 8 } } });
     default:
-      return makeGrid(p, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
+      return MakeGrid(p, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
   }
 }
 

@@ -14,36 +14,36 @@
 namespace nephoscope_test
 {
 
-using nephoscope::cross;
-using nephoscope::difference;
-using nephoscope::dot;
+using nephoscope::Cross;
+using nephoscope::Difference;
+using nephoscope::Dot;
 using nephoscope::Vector3;
 using nephoscope::Vector4;
 
 using TetrahedronPoints = std::array<Vector3, 4>;
 
-inline Vector3 along(const Vector3& a, double s, const Vector3& d)
+inline Vector3 Along(const Vector3& a, double s, const Vector3& d)
 {
   return { { a[0] + s * d[0], a[1] + s * d[1], a[2] + s * d[2] } };
 }
-inline double length(const Vector3& a)
+inline double Length(const Vector3& a)
 {
-  return std::sqrt(dot(a, a));
+  return std::sqrt(Dot(a, a));
 }
-inline double volume(const TetrahedronPoints& p)
+inline double Volume(const TetrahedronPoints& p)
 {
-  return dot(cross(difference(p[1], p[0]), difference(p[2], p[0])), difference(p[3], p[0])) / 6;
+  return Dot(Cross(Difference(p[1], p[0]), Difference(p[2], p[0])), Difference(p[3], p[0])) / 6;
 }
 
 // The reference works in the world with unit rays, Cramer's rule and no homogeneous eye.
-inline Vector4 barycentric(const TetrahedronPoints& p, const Vector3& x)
+inline Vector4 Barycentric(const TetrahedronPoints& p, const Vector3& x)
 {
   Vector4 result;
   for (int i = 0; i < 4; ++i)
   {
     TetrahedronPoints replaced = p;
     replaced[i] = x;
-    result[i] = volume(replaced) / volume(p);
+    result[i] = Volume(replaced) / Volume(p);
   }
   return result;
 }
@@ -55,19 +55,19 @@ struct ClippedRay
 };
 
 /** The part of origin + t direction inside, by clipping with the four face planes. */
-inline ClippedRay clip(const TetrahedronPoints& p, const Vector3& origin, const Vector3& direction)
+inline ClippedRay Clip(const TetrahedronPoints& p, const Vector3& origin, const Vector3& direction)
 {
   ClippedRay ray = { -1e300, 1e300, -1 };
   for (int i = 0; i < 4; ++i)
   {
     const Vector3& a = p[(i + 1) % 4];
-    Vector3 normal = cross(difference(p[(i + 2) % 4], a), difference(p[(i + 3) % 4], a));
-    if (dot(normal, difference(p[i], a)) > 0)
+    Vector3 normal = Cross(Difference(p[(i + 2) % 4], a), Difference(p[(i + 3) % 4], a));
+    if (Dot(normal, Difference(p[i], a)) > 0)
     {
       normal = { { -normal[0], -normal[1], -normal[2] } };
     }
-    const double speed = dot(normal, direction); // outwards
-    const double t = dot(normal, difference(a, origin)) / speed;
+    const double speed = Dot(normal, direction); // outwards
+    const double t = Dot(normal, Difference(a, origin)) / speed;
     if (speed < 0)
     {
       ray.Near = std::max(ray.Near, t);
@@ -81,13 +81,13 @@ inline ClippedRay clip(const TetrahedronPoints& p, const Vector3& origin, const 
   return ray;
 }
 
-inline double interpolate(const Vector4& weights, const Vector4& values)
+inline double Interpolate(const Vector4& weights, const Vector4& values)
 {
   return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2] +
     weights[3] * values[3];
 }
 
-inline TetrahedronPoints randomTetrahedron(Random& random)
+inline TetrahedronPoints RandomTetrahedron(Random& random)
 {
   TetrahedronPoints p;
   do
@@ -96,11 +96,11 @@ inline TetrahedronPoints randomTetrahedron(Random& random)
     {
       x = random.NormalVector();
     }
-  } while (std::fabs(volume(p)) < 1e-2); // slivers lose digits in the reference itself
+  } while (std::fabs(Volume(p)) < 1e-2); // slivers lose digits in the reference itself
   return p;
 }
 
-inline Vector3 randomInside(Random& random, const TetrahedronPoints& p)
+inline Vector3 RandomInside(Random& random, const TetrahedronPoints& p)
 {
   Vector4 w;
   double sum = 0;
@@ -112,7 +112,7 @@ inline Vector3 randomInside(Random& random, const TetrahedronPoints& p)
   Vector3 x = { { 0, 0, 0 } };
   for (int i = 0; i < 4; ++i)
   {
-    x = along(x, w[i] / sum, p[i]);
+    x = Along(x, w[i] / sum, p[i]);
   }
   return x;
 }

@@ -34,7 +34,7 @@ struct InteriorFace
   Vector3 Apexes[2]; ///< of the owners
 };
 
-inline std::vector<InteriorFace> findInteriorFaces(const CellGeometry& geometry)
+inline std::vector<InteriorFace> FindInteriorFaces(const CellGeometry& geometry)
 {
   std::map<std::array<Vector3, 3>, std::pair<std::int32_t, Vector3>> open;
   std::vector<InteriorFace> faces;
@@ -60,7 +60,7 @@ inline std::vector<InteriorFace> findInteriorFaces(const CellGeometry& geometry)
 }
 
 /** 6 x volume of the tetrahedron (a, b, c, x), long double; x may be a direction. */
-inline long double orient(const Vector3* f, const Vector4& x)
+inline long double Orient(const Vector3* f, const Vector4& x)
 {
   long double m[3][3];
   for (int axis = 0; axis < 3; ++axis)
@@ -78,30 +78,30 @@ inline long double orient(const Vector3* f, const Vector4& x)
  * Below this, moving the points by the rounding of float coordinates (of size 1) can turn the sign of orient: the face is seen
  * edge-on, and its owners do not overlap in the picture.
  */
-inline long double edgeOnTolerance(const Vector3* f, const Vector4& eye)
+inline long double EdgeOnTolerance(const Vector3* f, const Vector4& eye)
 {
-  const auto length = [](const Vector3& v) { return std::sqrt(dot(v, v)); };
-  const double ab = length(difference(f[1], f[0]));
-  const double ac = length(difference(f[2], f[0]));
+  const auto length = [](const Vector3& v) { return std::sqrt(Dot(v, v)); };
+  const double ab = length(Difference(f[1], f[0]));
+  const double ac = length(Difference(f[2], f[0]));
   const double ae =
     length({ { eye[0] - eye[3] * f[0][0], eye[1] - eye[3] * f[0][1], eye[2] - eye[3] * f[0][2] } });
   return 1e-6 * ((ab + ac) * ae + eye[3] * ab * ac);
 }
 
-inline std::vector<Relation> findRelations(
+inline std::vector<Relation> FindRelations(
   const std::vector<InteriorFace>& faces, const Vector4& eye)
 {
   std::vector<Relation> relations;
   for (const InteriorFace& f : faces)
   {
-    const long double eyeSide = orient(f.Points, eye);
+    const long double eyeSide = Orient(f.Points, eye);
     const auto apexSide = [&f](int owner) {
       const Vector3& apex = f.Apexes[owner];
-      return orient(f.Points, { { apex[0], apex[1], apex[2], 1 } });
+      return Orient(f.Points, { { apex[0], apex[1], apex[2], 1 } });
     };
     // Where a non-planar cell folds back, both owners lie on one side of the face: neither is in front.
     const bool folded = (apexSide(0) > 0) == (apexSide(1) > 0);
-    if (std::abs(eyeSide) > edgeOnTolerance(f.Points, eye) && !folded)
+    if (std::abs(eyeSide) > EdgeOnTolerance(f.Points, eye) && !folded)
     {
       const bool firstInFront = (eyeSide > 0) == (apexSide(0) > 0);
       relations.push_back(
@@ -111,7 +111,7 @@ inline std::vector<Relation> findRelations(
   return relations;
 }
 
-inline std::int64_t countViolations(
+inline std::int64_t CountViolations(
   const std::vector<Relation>& relations, const std::vector<std::int32_t>& order)
 {
   std::vector<std::size_t> rank(order.size());
@@ -124,7 +124,7 @@ inline std::int64_t countViolations(
 }
 
 /** Tetrahedra that no order can place, as Kahn's algorithm leaves them. */
-inline std::size_t countUnsortable(const std::vector<Relation>& relations, std::size_t n)
+inline std::size_t CountUnsortable(const std::vector<Relation>& relations, std::size_t n)
 {
   std::vector<int> waiting(n, 0);
   std::vector<std::vector<std::int32_t>> inFront(n);

@@ -31,12 +31,12 @@ constexpr double thinNodes[4][2] = {
 
 /** Integral of t (1 - t) exp(-A(t)) over [0, 1]; its error is below 1e-7. */
 template <typename Real>
-Real bulgeWeight(Real tauFront, Real tauBack)
+Real BulgeWeight(Real tauFront, Real tauBack)
 {
   const Real largest = std::max(tauFront, tauBack);
   const bool thin = largest <= Real(thinSegment);
-  const Real end = thin ? Real(1) : opaqueEnd(tauFront, tauBack);
-  const QuadratureRule rule = thin ? QuadratureRule{ 0, 4 } : quadratureRule(largest);
+  const Real end = thin ? Real(1) : OpaqueEnd(tauFront, tauBack);
+  const QuadratureRule rule = thin ? QuadratureRule{ 0, 4 } : ChooseQuadratureRule(largest);
   const auto& nodes = thin ? thinNodes[0] : quadratureNodes[0];
   Real weight = 0;
   for (int i = rule.First; i < rule.First + rule.Size; ++i)
@@ -50,15 +50,15 @@ Real bulgeWeight(Real tauFront, Real tauBack)
 
 /** One channel of the light: emission at both ends and in the middle, and extinction at both ends, each times the segment's length. */
 template <typename Real>
-Real mixedLight(
+Real MixedLight(
   Real emissionFront, Real emissionMiddle, Real emissionBack, Real tauFront, Real tauBack)
 {
   const Real colorFront = tauFront > 0 ? emissionFront / tauFront : Real(0);
   const Real colorBack = tauBack > 0 ? emissionBack / tauBack : Real(0);
   const Real bulge = 4 * emissionMiddle - (tauFront + tauBack) * (colorFront + colorBack);
-  const SegmentWeights<Real> weights = exactSegmentWeights(tauFront, tauBack);
+  const SegmentWeights<Real> weights = ExactSegmentWeights(tauFront, tauBack);
   return weights.Front * colorFront + weights.Back * colorBack +
-    bulgeWeight(tauFront, tauBack) * bulge;
+    BulgeWeight(tauFront, tauBack) * bulge;
 }
 
 } // namespace nephoscope

@@ -22,10 +22,10 @@ namespace nephoscope_test
 
 using namespace nephoscope;
 
-inline CellGeometry buildGeometry(vtkDataSet* data)
+inline CellGeometry BuildGeometry(vtkDataSet* data)
 {
   CellGeometry geometry;
-  EXPECT_EQ(geometry.Build(data, { addPointNumbers(data), false, -1 }), "");
+  EXPECT_EQ(geometry.Build(data, { AddPointNumbers(data), false, -1 }), "");
   return geometry;
 }
 
@@ -78,29 +78,29 @@ public:
           low[1] + y * (high[1] - low[1]), low[2] + z * (high[2] - low[2]) } };
       });
   }
-  vtkSmartPointer<vtkUnstructuredGrid> Get() const { return makeGrid(this->Points, this->Cells); }
+  vtkSmartPointer<vtkUnstructuredGrid> Get() const { return MakeGrid(this->Points, this->Cells); }
 
 private:
   std::vector<std::array<double, 3>> Points;
   std::vector<std::pair<int, std::vector<vtkIdType>>> Cells;
 };
 
-inline std::array<double, 3> centered(double x, double y, double z)
+inline std::array<double, 3> Centered(double x, double y, double z)
 {
   return { { x - 0.5, y - 0.5, z - 0.5 } };
 }
 
 /** The cube [-0.5, 0.5]^3 of n^3 hexahedra with some left out. */
 template <typename Skip>
-vtkSmartPointer<vtkUnstructuredGrid> makeCubeWithout(int n, Skip skip)
+vtkSmartPointer<vtkUnstructuredGrid> MakeCubeWithout(int n, Skip skip)
 {
   BlockMesh mesh;
   const int size[3] = { n, n, n };
-  mesh.AddBox(size, skip, centered);
+  mesh.AddBox(size, skip, Centered);
   return mesh.Get();
 }
 
-inline vtkSmartPointer<vtkUnstructuredGrid> makeDelaunay(Random& random, int n)
+inline vtkSmartPointer<vtkUnstructuredGrid> MakeDelaunay(Random& random, int n)
 {
   vtkNew<vtkPoints> points;
   for (int i = 0; i < n; ++i)
@@ -119,7 +119,7 @@ inline vtkSmartPointer<vtkUnstructuredGrid> makeDelaunay(Random& random, int n)
 
 /** The tetrahedra of a geometry for which keep(number), in the order of the numbers given. */
 template <typename Keep>
-vtkSmartPointer<vtkUnstructuredGrid> pickTetrahedra(
+vtkSmartPointer<vtkUnstructuredGrid> PickTetrahedra(
   const CellGeometry& geometry, const std::vector<std::int32_t>& numbers, Keep keep)
 {
   std::vector<std::array<double, 3>> points;
@@ -136,14 +136,14 @@ vtkSmartPointer<vtkUnstructuredGrid> pickTetrahedra(
       cells.push_back({ VTK_TETRA, { t[0], t[1], t[2], t[3] } });
     }
   }
-  return makeGrid(points, cells);
+  return MakeGrid(points, cells);
 }
 
 /**
  * A ring of n prisms around the z axis between triangles that all lean forward: seen from above, each prism lies over the
  * next one, all the way round.
  */
-inline vtkSmartPointer<vtkUnstructuredGrid> makeLeaningRing(int n)
+inline vtkSmartPointer<vtkUnstructuredGrid> MakeLeaningRing(int n)
 {
   const double turn = 2 * std::acos(-1.0) / n;
   const double lean = 0.6;
@@ -167,14 +167,14 @@ inline vtkSmartPointer<vtkUnstructuredGrid> makeLeaningRing(int n)
     cells.push_back({ VTK_TETRA, { a + 1, a + 2, next, next + 1 } });
     cells.push_back({ VTK_TETRA, { a + 2, next, next + 1, next + 2 } });
   }
-  return makeGrid(points, cells);
+  return MakeGrid(points, cells);
 }
 
 /** A tube around the z axis in n sectors, m layers and m levels, twisted: each sector leans over the next. */
-inline vtkSmartPointer<vtkStructuredGrid> makeTwistedTube(int n, int m, double twist)
+inline vtkSmartPointer<vtkStructuredGrid> MakeTwistedTube(int n, int m, double twist)
 {
   const double pi = std::acos(-1.0);
-  return makeStructuredGrid(n, m, m, [=](double i, double j, double k, double x[3]) {
+  return MakeStructuredGrid(n, m, m, [=](double i, double j, double k, double x[3]) {
     const double angle = 2 * pi * std::fmod(i, n) / n + twist * (k / m - 0.5),
                  r = 0.6 + 0.4 * j / m;
     x[0] = r * std::cos(angle);

@@ -38,7 +38,7 @@ struct TetrahedronProjection
   unsigned Negative = 0; ///< bit i: q_i < 0
 };
 
-inline TetrahedronProjection projectTetrahedron(const Vector4& q)
+inline TetrahedronProjection ProjectTetrahedron(const Vector4& q)
 {
   TetrahedronProjection p;
   double positive = 0, negative = 0;
@@ -72,27 +72,27 @@ constexpr int tetrahedronEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
  * Whether the edge (a, b) and the thick vertex make a triangle of the fan. They do not where the edge's line passes through the
  * thick vertex, which it does when the edge holds all positive, or all negative vertices.
  */
-inline bool isFanEdge(const TetrahedronProjection& p, int a, int b)
+inline bool IsFanEdge(const TetrahedronProjection& p, int a, int b)
 {
   const unsigned edge = (1u << a) | (1u << b);
   return (p.Positive & ~edge) != 0 && (p.Negative & ~edge) != 0;
 }
 
 /** ShirleyTuchman1990's classes: 1 (3 triangles), 2 (4 triangles), 3 (2), 4 (1); 0: nothing to draw. */
-inline int projectionClass(const TetrahedronProjection& p)
+inline int ProjectionClass(const TetrahedronProjection& p)
 {
   constexpr int classOfTriangles[5] = { 0, 4, 3, 1, 2 };
   int triangles = 0;
   for (const auto& edge : tetrahedronEdges)
   {
-    triangles += isFanEdge(p, edge[0], edge[1]);
+    triangles += IsFanEdge(p, edge[0], edge[1]);
   }
   return classOfTriangles[triangles];
 }
 
 /** The table read with linear interpolation, as a texture unit does; the last entry beyond its end. */
 template <typename Real>
-Real lookUpOpacity(const std::vector<float>& table, Real end, Real u)
+Real LookUpOpacity(const std::vector<float>& table, Real end, Real u)
 {
   const Real last = static_cast<Real>(table.size() - 1);
   const Real place = std::min(std::max(u / end, Real(0)), Real(1)) * last;

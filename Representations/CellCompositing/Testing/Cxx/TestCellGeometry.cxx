@@ -29,7 +29,7 @@ using namespace nephoscope_test;
 
 namespace
 {
-void expectSame(const CellGeometry& a, const CellGeometry& b)
+void ExpectSame(const CellGeometry& a, const CellGeometry& b)
 {
   ASSERT_EQ(a.Points.size(), b.Points.size());
   for (std::size_t i = 0; i < a.Points.size(); ++i)
@@ -44,7 +44,7 @@ void expectSame(const CellGeometry& a, const CellGeometry& b)
 }
 
 /** Regular prism of circumradius 1 and height 1. */
-vtkSmartPointer<vtkUnstructuredGrid> prismOf(int type, int sides)
+vtkSmartPointer<vtkUnstructuredGrid> PrismOf(int type, int sides)
 {
   std::vector<std::array<double, 3>> p;
   std::vector<vtkIdType> ids;
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkUnstructuredGrid> prismOf(int type, int sides)
     p.push_back({ { std::cos(angle), std::sin(angle), double(k / sides) } });
     ids.push_back(k);
   }
-  return makeGrid(p, { { type, ids } });
+  return MakeGrid(p, { { type, ids } });
 }
 }
 
@@ -62,20 +62,20 @@ TEST(CellGeometry, LinearCells)
 {
   for (const int type : { VTK_TETRA, VTK_HEXAHEDRON, VTK_VOXEL, VTK_WEDGE, VTK_PYRAMID })
   {
-    const CellGeometry geometry = buildNumbered(unitCubeOf(type));
-    EXPECT_NEAR(volumeOf(geometry), 1, 1e-6) << "cell type " << type;
+    const CellGeometry geometry = BuildNumbered(UnitCubeOf(type));
+    EXPECT_NEAR(VolumeOf(geometry), 1, 1e-6) << "cell type " << type;
     EXPECT_EQ(geometry.NumberOfUnsupportedCells + geometry.NumberOfInvalidCells, 0);
   }
   const double turn = 2 * std::acos(-1.0);
   EXPECT_NEAR(
-    volumeOf(buildNumbered(prismOf(VTK_PENTAGONAL_PRISM, 5))), 2.5 * std::sin(turn / 5), 1e-6);
+    VolumeOf(BuildNumbered(PrismOf(VTK_PENTAGONAL_PRISM, 5))), 2.5 * std::sin(turn / 5), 1e-6);
   EXPECT_NEAR(
-    volumeOf(buildNumbered(prismOf(VTK_HEXAGONAL_PRISM, 6))), 3 * std::sin(turn / 6), 1e-6);
+    VolumeOf(BuildNumbered(PrismOf(VTK_HEXAGONAL_PRISM, 6))), 3 * std::sin(turn / 6), 1e-6);
 }
 
 TEST(CellGeometry, Polyhedra)
 {
-  auto grid = unitCubeOf(VTK_HEXAHEDRON);
+  auto grid = UnitCubeOf(VTK_HEXAHEDRON);
   const vtkIdType corner = 0;
   grid->InsertNextCell(VTK_VERTEX, 1, &corner); // not hexahedra alone: divided by coordinates
   vtkNew<vtkUnstructuredGrid> polyhedra;
@@ -88,9 +88,9 @@ TEST(CellGeometry, Polyhedra)
     stream->InsertNextId(value);
   }
   polyhedra->InsertNextCell(VTK_POLYHEDRON, stream);
-  const CellGeometry geometry = buildNumbered(polyhedra);
-  EXPECT_NEAR(volumeOf(geometry), 1, 1e-6);
-  EXPECT_EQ(geometry.Tetrahedra.Copy(), buildNumbered(grid).Tetrahedra.Copy())
+  const CellGeometry geometry = BuildNumbered(polyhedra);
+  EXPECT_NEAR(VolumeOf(geometry), 1, 1e-6);
+  EXPECT_EQ(geometry.Tetrahedra.Copy(), BuildNumbered(grid).Tetrahedra.Copy())
     << "a cube is cut the same whatever its cell type";
 }
 
@@ -100,11 +100,11 @@ TEST(CellGeometry, QuadraticTetrahedronAsVTKTriangulatesIt)
   source->SetCellType(VTK_QUADRATIC_TETRA);
   source->SetBlocksDimensions(2, 2, 2);
   source->Update();
-  const CellGeometry geometry = buildNumbered(source->GetOutput());
+  const CellGeometry geometry = BuildNumbered(source->GetOutput());
   double bounds[6];
   source->GetOutput()->GetBounds(bounds);
   const double box = (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) * (bounds[5] - bounds[4]);
-  EXPECT_NEAR(volumeOf(geometry), box, 1e-5 * box);
+  EXPECT_NEAR(VolumeOf(geometry), box, 1e-5 * box);
   EXPECT_EQ(geometry.NumberOfUnsupportedCells, 0);
 }
 
@@ -130,7 +130,7 @@ TEST(CellGeometry, HigherOrderCellsFillTheirVolume)
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(points);
     grid->InsertNextCell(kind.first, static_cast<vtkIdType>(ids.size()), ids.data());
-    EXPECT_NEAR(volumeOf(buildNumbered(grid)), kind.second, 1e-6) << "cell type " << kind.first;
+    EXPECT_NEAR(VolumeOf(BuildNumbered(grid)), kind.second, 1e-6) << "cell type " << kind.first;
   }
 }
 
@@ -140,8 +140,8 @@ TEST(CellGeometry, ImageData)
   image->SetDimensions(5, 4, 3);
   image->SetSpacing(0.5, 1, 2);
   image->SetOrigin(10, 20, 30);
-  const CellGeometry geometry = buildNumbered(image);
-  EXPECT_NEAR(volumeOf(geometry), 2 * 3 * 4, 1e-4);
+  const CellGeometry geometry = BuildNumbered(image);
+  EXPECT_NEAR(VolumeOf(geometry), 2 * 3 * 4, 1e-4);
   EXPECT_EQ(geometry.Tetrahedra.size(), 5u * 4 * 3 * 2);
   EXPECT_EQ(geometry.Center[0], 11);
   EXPECT_EQ(geometry.Center[1], 21.5);
@@ -166,18 +166,18 @@ TEST(CellGeometry, RectilinearGrid)
   grid->SetXCoordinates(x);
   grid->SetYCoordinates(y);
   grid->SetZCoordinates(z);
-  EXPECT_NEAR(volumeOf(buildNumbered(grid)), 3 * 6 * 0.5, 1e-5);
+  EXPECT_NEAR(VolumeOf(BuildNumbered(grid)), 3 * 6 * 0.5, 1e-5);
 }
 
 TEST(CellGeometry, PoleOfAShell)
 {
   // Up to the poles: the ends of the meridians coincide, and cells there lose an edge, but no volume.
-  const CellGeometry geometry = buildNumbered(makeShell(48, 24, 2, 90, 1, 1.2));
+  const CellGeometry geometry = BuildNumbered(MakeShell(48, 24, 2, 90, 1, 1.2));
   EXPECT_EQ(geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells, 0);
   EXPECT_GT(geometry.Tetrahedra.size(), 48u * 22 * 2 * 5);
   // Inscribed polyhedra: smaller than the shell between spheres by about (pi/48)^2.
   const double exact = 4.0 / 3 * std::acos(-1.0) * (1.2 * 1.2 * 1.2 - 1);
-  EXPECT_NEAR(volumeOf(geometry), exact, 0.01 * exact);
+  EXPECT_NEAR(VolumeOf(geometry), exact, 0.01 * exact);
   for (const Tetrahedron& t : geometry.Tetrahedra.Copy())
   {
     for (const std::int32_t p : t)
@@ -189,11 +189,11 @@ TEST(CellGeometry, PoleOfAShell)
 
 TEST(CellGeometry, FlatAndUnsupportedCells)
 {
-  auto grid = makeGrid(
+  auto grid = MakeGrid(
     { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } }, { { 0, 0, 1 } } },
     { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_TRIANGLE, { 0, 1, 2 } },
       { VTK_LINE, { 0, 1 } }, { VTK_EMPTY_CELL, {} } });
-  const CellGeometry geometry = buildNumbered(grid);
+  const CellGeometry geometry = BuildNumbered(grid);
   EXPECT_EQ(geometry.Tetrahedra.size(), 1u);
   EXPECT_EQ(geometry.NumberOfFlatTetrahedra, 1);
   EXPECT_EQ(geometry.NumberOfUnsupportedCells, 2);
@@ -203,13 +203,13 @@ TEST(CellGeometry, FlatAndUnsupportedCells)
 
 TEST(CellGeometry, HugeCoordinates)
 {
-  auto grid = makeStructuredGrid(4, 4, 4, [](double i, double j, double k, double x[3]) {
+  auto grid = MakeStructuredGrid(4, 4, 4, [](double i, double j, double k, double x[3]) {
     x[0] = 1e7 + 0.1 * i;
     x[1] = -1e7 + 0.1 * j;
     x[2] = 1e7 + 0.1 * k;
   });
-  const CellGeometry geometry = buildNumbered(grid);
-  EXPECT_NEAR(volumeOf(geometry), 0.064, 1e-6);
+  const CellGeometry geometry = BuildNumbered(grid);
+  EXPECT_NEAR(VolumeOf(geometry), 0.064, 1e-6);
   for (std::size_t i = 0; i < geometry.Points.size(); ++i)
   {
     double x[3];
@@ -229,12 +229,12 @@ TEST(CellGeometry, Empty)
   EXPECT_TRUE(geometry.Tetrahedra.empty());
   EXPECT_LT(geometry.ScalarRange[0], geometry.ScalarRange[1]);
 
-  auto flat = makeStructuredGrid(3, 3, 0, [](double i, double j, double, double x[3]) {
+  auto flat = MakeStructuredGrid(3, 3, 0, [](double i, double j, double, double x[3]) {
     x[0] = i;
     x[1] = j;
     x[2] = 0;
   });
-  geometry = buildNumbered(flat);
+  geometry = BuildNumbered(flat);
   EXPECT_TRUE(geometry.Tetrahedra.empty());
   EXPECT_EQ(geometry.NumberOfUnsupportedCells, 9);
 }
@@ -242,28 +242,28 @@ TEST(CellGeometry, Empty)
 // Tetrahedra of the input are read from there, and nothing else is.
 TEST(CellGeometry, TetrahedraOfTheInput)
 {
-  auto grid = unitCubeOf(VTK_TETRA);
-  const CellGeometry whole = buildNumbered(grid);
+  auto grid = UnitCubeOf(VTK_TETRA);
+  const CellGeometry whole = BuildNumbered(grid);
   EXPECT_TRUE(whole.Tetrahedra.ReadsInput());
   EXPECT_TRUE(whole.Cells.empty());
-  EXPECT_NEAR(volumeOf(whole), 1, 1e-6);
+  EXPECT_NEAR(VolumeOf(whole), 1, 1e-6);
   const std::vector<Tetrahedron> all = whole.Tetrahedra.Copy();
   grid->GetCells()->ConvertTo32BitStorage();
-  const CellGeometry narrow = buildNumbered(grid);
+  const CellGeometry narrow = BuildNumbered(grid);
   EXPECT_TRUE(narrow.Tetrahedra.ReadsInput());
   EXPECT_EQ(narrow.Tetrahedra.Copy(), all);
-  hideCell(grid, 2);
-  const CellGeometry hidden = buildNumbered(grid);
+  HideCell(grid, 2);
+  const CellGeometry hidden = BuildNumbered(grid);
   EXPECT_FALSE(hidden.Tetrahedra.ReadsInput()) << "they have other numbers than the cells";
   EXPECT_EQ(hidden.Tetrahedra.size(), 4u);
-  EXPECT_FALSE(buildNumbered(unitCubeOf(VTK_WEDGE)).Tetrahedra.ReadsInput());
-  EXPECT_FALSE(buildNumbered(makeLattice(2)).Tetrahedra.ReadsInput());
+  EXPECT_FALSE(BuildNumbered(UnitCubeOf(VTK_WEDGE)).Tetrahedra.ReadsInput());
+  EXPECT_FALSE(BuildNumbered(MakeLattice(2)).Tetrahedra.ReadsInput());
 }
 
 TEST(CellGeometry, TetrahedraOfAnInputThatChanges)
 {
-  auto grid = unitCubeOf(VTK_TETRA);
-  CellGeometry geometry = buildNumbered(grid);
+  auto grid = UnitCubeOf(VTK_TETRA);
+  CellGeometry geometry = BuildNumbered(grid);
   const std::vector<Tetrahedron> all = geometry.Tetrahedra.Copy();
   const auto other = vtkSmartPointer<vtkUnstructuredGrid>::New();
   other->DeepCopy(grid);
@@ -278,7 +278,7 @@ TEST(CellGeometry, TetrahedraOfAnInputThatChanges)
   EXPECT_TRUE(geometry.Tetrahedra.Refresh());
   EXPECT_EQ(geometry.Tetrahedra.Copy(), all);
   EXPECT_TRUE(geometry.Tetrahedra.Refresh(other));
-  EXPECT_FALSE(geometry.Tetrahedra.Refresh(unitCubeOf(VTK_TETRA))) << "another dataset";
+  EXPECT_FALSE(geometry.Tetrahedra.Refresh(UnitCubeOf(VTK_TETRA))) << "another dataset";
   other->GetPoints()->InsertNextPoint(0, 0, 0);
   ids->SetComponent(3, 0, double(other->GetNumberOfPoints() - 1));
   EXPECT_TRUE(geometry.Tetrahedra.Follow(other));
@@ -294,7 +294,7 @@ TEST(CellGeometry, NumberingDoesNotChangeTheCuts)
 {
   Random random(42);
   vtkNew<vtkUnstructuredGrid> original, renumbered;
-  auto lattice = makeLattice(3);
+  auto lattice = MakeLattice(3);
   const int n = int(lattice->GetNumberOfPoints());
   std::vector<vtkIdType> number(static_cast<std::size_t>(n));
   std::iota(number.begin(), number.end(), 0);
@@ -318,7 +318,7 @@ TEST(CellGeometry, NumberingDoesNotChangeTheCuts)
     }
     renumbered->InsertNextCell(VTK_HEXAHEDRON, ids);
   }
-  CellGeometry expected = buildNumbered(original), actual = buildNumbered(renumbered);
+  CellGeometry expected = BuildNumbered(original), actual = BuildNumbered(renumbered);
   ASSERT_EQ(expected.Tetrahedra.size(), actual.Tetrahedra.size());
   for (std::size_t i = 0; i < expected.Tetrahedra.size(); ++i)
   {
@@ -328,39 +328,39 @@ TEST(CellGeometry, NumberingDoesNotChangeTheCuts)
 
 TEST(CellGeometry, BuildForgetsTheLastInput)
 {
-  auto grid = makeLattice(2);
+  auto grid = MakeLattice(2);
   CellGeometry geometry =
-    build(grid, addScalars(grid, true, [](vtkIdType i) { return double(i); }), true);
-  auto shell = makeShell(8, 4, 1, 80, 1, 2);
-  ASSERT_EQ(geometry.Build(shell, { addPointNumbers(shell), false, -1 }), "");
-  expectSame(geometry, buildNumbered(shell));
+    Build(grid, AddScalars(grid, true, [](vtkIdType i) { return double(i); }), true);
+  auto shell = MakeShell(8, 4, 1, 80, 1, 2);
+  ASSERT_EQ(geometry.Build(shell, { AddPointNumbers(shell), false, -1 }), "");
+  ExpectSame(geometry, BuildNumbered(shell));
 }
 
 TEST(CellGeometry, ThreadsDoNotChangeTheResult)
 {
-  auto shell = makeShell(48, 24, 6, 90, 1, 1.3);
-  hideCell(shell, 100);
+  auto shell = MakeShell(48, 24, 6, 90, 1, 1.3);
+  HideCell(shell, 100);
   shell->GetPoints()->SetPoint(5000, 0, std::numeric_limits<double>::quiet_NaN(), 0);
-  vtkDataArray* points = addPointNumbers(shell);
-  vtkDataArray* cells = addScalars(shell, true, [](vtkIdType i) { return std::sin(double(i)); });
+  vtkDataArray* points = AddPointNumbers(shell);
+  vtkDataArray* cells = AddScalars(shell, true, [](vtkIdType i) { return std::sin(double(i)); });
   vtkNew<vtkCellTypeSource> quadratic;
   quadratic->SetCellType(VTK_QUADRATIC_TETRA);
   quadratic->SetBlocksDimensions(6, 6, 6);
   quadratic->Update();
-  vtkDataArray* quadraticPoints = addPointNumbers(quadratic->GetOutput());
+  vtkDataArray* quadraticPoints = AddPointNumbers(quadratic->GetOutput());
   CellGeometry reference[3];
   for (const int threads : { 1, 2, 4 })
   {
-    withThreads(threads, [&]() {
-      const CellGeometry results[3] = { build(shell, points), build(shell, cells, true),
-        build(quadratic->GetOutput(), quadraticPoints) };
+    WithThreads(threads, [&]() {
+      const CellGeometry results[3] = { Build(shell, points), Build(shell, cells, true),
+        Build(quadratic->GetOutput(), quadraticPoints) };
       for (int i = 0; i < 3; ++i)
       {
         if (threads == 1)
         {
           reference[i] = results[i];
         }
-        expectSame(results[i], reference[i]);
+        ExpectSame(results[i], reference[i]);
       }
     });
   }

@@ -40,8 +40,8 @@ protected:
     return this->Scene.GetVersions();
   }
 
-  vtkSmartPointer<vtkStructuredGrid> Data = makeLattice(4);
-  vtkDataArray* Scalars = addPointNumbers(Data);
+  vtkSmartPointer<vtkStructuredGrid> Data = MakeLattice(4);
+  vtkDataArray* Scalars = AddPointNumbers(Data);
   vtkNew<vtkPiecewiseFunction> Opacity;
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkVolumeProperty> Property;
@@ -120,8 +120,8 @@ TEST_F(SceneOfALattice, DataAndScalarsMakeEverythingAgain)
 TEST_F(SceneOfALattice, AnotherMeshIsConnectedAgain)
 {
   this->Update();
-  this->Data = makeShell(8, 4, 2, 80, 1, 1.3); // as many cells
-  this->Scalars = addPointNumbers(this->Data);
+  this->Data = MakeShell(8, 4, 2, 80, 1, 1.3); // as many cells
+  this->Scalars = AddPointNumbers(this->Data);
   this->Update();
   ASSERT_EQ(this->Scene.GetDrawn().size(), 64u * 5);
   const std::vector<std::int32_t> drawn = this->Scene.GetDrawn();
@@ -132,8 +132,8 @@ TEST_F(SceneOfALattice, AnotherMeshIsConnectedAgain)
 
 TEST_F(SceneOfALattice, CyclesAreCounted)
 {
-  this->Data = makeTwistedTube(24, 2, 1);
-  this->Scalars = addPointNumbers(this->Data);
+  this->Data = MakeTwistedTube(24, 2, 1);
+  this->Scalars = AddPointNumbers(this->Data);
   const Vector4 above = { { 0.1, 0.05, 9, 1 } }, aside = { { 9, 1, 0.5, 1 } };
   this->Update(aside);
   EXPECT_EQ(this->Scene.GetOrder().NumberOfCycles, 0);

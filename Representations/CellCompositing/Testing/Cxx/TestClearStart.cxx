@@ -16,7 +16,7 @@ using Corners = std::array<Vector3, 4>;
 const Corners corner = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
 constexpr double clearance = 1e-3;
 
-Vector3 combine(const Corners& p, const Vector4& weights)
+Vector3 Combine(const Corners& p, const Vector4& weights)
 {
   Vector3 result = { { 0, 0, 0 } };
   for (std::size_t i = 0; i < 4; ++i)
@@ -29,23 +29,23 @@ Vector3 combine(const Corners& p, const Vector4& weights)
   return result;
 }
 
-ClearStart startFrom(const Corners& p, const Vector3& eye)
+ClearStart StartFrom(const Corners& p, const Vector3& eye)
 {
-  return findClearStart(p, { { eye[0], eye[1], eye[2], 1 } }, clearance);
+  return FindClearStart(p, { { eye[0], eye[1], eye[2], 1 } }, clearance);
 }
 
 // Distances from the faces, by barycentric coordinates of the position alone.
-double nearestFace(const Corners& p, const Vector3& position)
+double NearestFace(const Corners& p, const Vector3& position)
 {
-  const Vector4 q = eyeCoordinates(p, { { position[0], position[1], position[2], 1 } });
-  const Vector4 h = heights(p);
+  const Vector4 q = EyeCoordinates(p, { { position[0], position[1], position[2], 1 } });
+  const Vector4 h = Heights(p);
   return std::min({ q[0] * h[0], q[1] * h[1], q[2] * h[2], q[3] * h[3] });
 }
 }
 
 TEST(ClearStart, HeightsOfACorner)
 {
-  const Vector4 h = heights(corner);
+  const Vector4 h = Heights(corner);
   EXPECT_NEAR(h[0], 1 / std::sqrt(3.0), 1e-15);
   for (std::size_t i = 1; i < 4; ++i)
   {
@@ -55,7 +55,7 @@ TEST(ClearStart, HeightsOfACorner)
 
 TEST(ClearStart, StaysWhereTheEyeIsClear)
 {
-  const ClearStart start = startFrom(corner, { { 0.2, 0.3, 0.1 } });
+  const ClearStart start = StartFrom(corner, { { 0.2, 0.3, 0.1 } });
   EXPECT_TRUE(start.Found);
   EXPECT_EQ(start.Moved, 0);
   EXPECT_EQ(start.Position, (Vector3{ { 0.2, 0.3, 0.1 } }));
@@ -73,14 +73,14 @@ TEST(ClearStart, IsClearFromVerticesEdgesFacesAndBesideThem)
   {
     for (const Vector4& place : places)
     {
-      const Vector3 eye = combine(p, place);
-      const ClearStart start = startFrom(p, eye);
-      const Vector4 h = heights(p);
+      const Vector3 eye = Combine(p, place);
+      const ClearStart start = StartFrom(p, eye);
+      const Vector4 h = Heights(p);
       const double inscribed = 1 / (1 / h[0] + 1 / h[1] + 1 / h[2] + 1 / h[3]);
-      if (nearestFace(p, eye) >= -clearance)
+      if (NearestFace(p, eye) >= -clearance)
       {
         ASSERT_TRUE(start.Found);
-        EXPECT_NEAR(nearestFace(p, start.Position), std::min(clearance, inscribed / 2), 1e-12);
+        EXPECT_NEAR(NearestFace(p, start.Position), std::min(clearance, inscribed / 2), 1e-12);
         EXPECT_NEAR(start.Clearance, std::min(clearance, inscribed / 2), 1e-15);
       }
     }
@@ -93,11 +93,11 @@ TEST(ClearStart, IsClearFromVerticesEdgesFacesAndBesideThem)
 
 TEST(ClearStart, NeedsTheEyeNearAndAVolume)
 {
-  EXPECT_FALSE(startFrom(corner, { { -0.01, 0.3, 0.3 } }).Found);
+  EXPECT_FALSE(StartFrom(corner, { { -0.01, 0.3, 0.3 } }).Found);
   EXPECT_FALSE(
-    startFrom({ { corner[0], corner[1], corner[2], corner[2] } }, { { 0.2, 0.2, 0 } }).Found);
+    StartFrom({ { corner[0], corner[1], corner[2], corner[2] } }, { { 0.2, 0.2, 0 } }).Found);
   EXPECT_FALSE(
-    startFrom({ { corner[0], corner[1], corner[2], { { 1, 1, 0 } } } }, { { 0.2, 0.2, 0 } }).Found);
+    StartFrom({ { corner[0], corner[1], corner[2], { { 1, 1, 0 } } } }, { { 0.2, 0.2, 0 } }).Found);
   EXPECT_FALSE(
-    startFrom({ { corner[0], corner[0], corner[0], corner[0] } }, { { 0, 0, 0 } }).Found);
+    StartFrom({ { corner[0], corner[0], corner[0], corner[0] } }, { { 0, 0, 0 } }).Found);
 }

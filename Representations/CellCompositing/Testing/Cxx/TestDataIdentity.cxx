@@ -182,20 +182,20 @@ TEST(Fingerprint, TellsEveryValueApart)
   {
     values->SetValue(i, 0.1 * static_cast<double>(i % 1000));
   }
-  const std::uint64_t before = fingerprint(values);
+  const std::uint64_t before = FingerprintOf(values);
   for (const vtkIdType i : { 0, 8191, 8192, 30000, 59999 })
   {
     const double value = values->GetValue(i);
     values->SetValue(i, value + 1);
-    EXPECT_NE(fingerprint(values), before) << i;
+    EXPECT_NE(FingerprintOf(values), before) << i;
     values->SetValue(i, value);
   }
-  EXPECT_EQ(fingerprint(values), before);
-  EXPECT_EQ(fingerprint(nullptr), 0u);
+  EXPECT_EQ(FingerprintOf(values), before);
+  EXPECT_EQ(FingerprintOf(nullptr), 0u);
   for (const int threads : { 1, 2, 4 })
   {
-    nephoscope_test::withThreads(
-      threads, [&]() { EXPECT_EQ(fingerprint(values), before) << threads; });
+    nephoscope_test::WithThreads(
+      threads, [&]() { EXPECT_EQ(FingerprintOf(values), before) << threads; });
   }
 }
 
@@ -205,7 +205,7 @@ TEST(Fingerprint, OfArraysInAnotherLayout)
   values->SetNumberOfComponents(3);
   values->SetNumberOfTuples(7);
   values->Fill(2);
-  const std::uint64_t before = fingerprint(values);
+  const std::uint64_t before = FingerprintOf(values);
   values->SetComponent(6, 1, 3);
-  EXPECT_NE(fingerprint(values), before);
+  EXPECT_NE(FingerprintOf(values), before);
 }

@@ -13,7 +13,7 @@ namespace
 {
 constexpr std::int32_t half = 1 << 14; // of a number, which a float of the runner holds
 
-std::vector<Float4> halves(const std::vector<std::int32_t>& numbers)
+std::vector<Float4> Halves(const std::vector<std::int32_t>& numbers)
 {
   std::vector<Float4> list;
   for (const std::int32_t number : numbers)
@@ -24,11 +24,11 @@ std::vector<Float4> halves(const std::vector<std::int32_t>& numbers)
 }
 
 /** Float; halves of the number that it stands for. */
-std::vector<Float4> evaluate(const std::vector<std::int32_t>& numbers)
+std::vector<Float4> Evaluate(const std::vector<std::int32_t>& numbers)
 {
   ShaderRunner runner;
-  const auto list = halves(numbers);
-  return runner.Run(readShader("FaceNumber.glsl"),
+  const auto list = Halves(numbers);
+  return runner.Run(ReadShader("FaceNumber.glsl"),
     "float number = floatOfFace(int(first.x) * 16384 + int(first.y));\n"
     "  int face = faceOfFloat(number);\n"
     "  result = vec4(number, face / 16384, face % 16384, faceOfFloat(-2.0));",
@@ -56,7 +56,7 @@ TEST(FaceNumberShader, NumbersComeBackInOrder)
     numbers.end());
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  const auto results = evaluate(numbers);
+  const auto results = Evaluate(numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     EXPECT_EQ(std::int32_t(results[i][1]) * half + std::int32_t(results[i][2]), numbers[i]);

@@ -15,7 +15,7 @@ using namespace nephoscope_test;
 
 namespace
 {
-double advance(double light, const SegmentStep<double>& step, double near, double far)
+double Advance(double light, const SegmentStep<double>& step, double near, double far)
 {
   return step.Transparency * light + step.Near * near + step.Far * far;
 }
@@ -27,7 +27,7 @@ struct Face
 };
 
 /** Light of one channel after all faces, drawn in the order given, over `light`. */
-double sweep(const std::vector<Face>& faces, double light, bool average)
+double Sweep(const std::vector<Face>& faces, double light, bool average)
 {
   int crossings = 0;
   Face last = {};
@@ -37,8 +37,8 @@ double sweep(const std::vector<Face>& faces, double light, bool average)
     {
       const Face &near = face.Z < last.Z ? face : last, &far = face.Z < last.Z ? last : face;
       const double length = crossings * (last.Z - face.Z), size = std::fabs(length);
-      light = advance(light,
-        faceSegmentStep(size * near.Extinction, size * far.Extinction, length < 0, average),
+      light = Advance(light,
+        FaceSegmentStep(size * near.Extinction, size * far.Extinction, length < 0, average),
         near.Color, far.Color);
     }
     last = face;
@@ -49,7 +49,7 @@ double sweep(const std::vector<Face>& faces, double light, bool average)
 }
 
 /** Back to front: a volume from 9 to 6 and, after a gap, from 4 to 1. */
-std::vector<Face> volumeWithGap(Random& random, bool varying)
+std::vector<Face> VolumeWithGap(Random& random, bool varying)
 {
   const auto face = [&](double z, int mark) {
     return Face{ z, varying ? random.Uniform(0, 3) : 0.7, varying ? random.Uniform() : 0.4, mark };
@@ -70,13 +70,13 @@ std::vector<Face> volumeWithGap(Random& random, bool varying)
 
 TEST(FaceSegment, ForwardStepIsTheOpticalSegment)
 {
-  constexpr double promised = 6e-7; // the bound that quadratureRule keeps
+  constexpr double promised = 6e-7; // the bound that ChooseQuadratureRule keeps
   Random random(41);
   for (int i = 0; i < 2000; ++i)
   {
     const double tf = random.LogUniform(1e-6, 20), tb = random.LogUniform(1e-6, 20);
-    const SegmentStep<double> step = faceSegmentStep(tf, tb, false, false);
-    const ReferenceWeights weights = referenceWeights(tf, tb);
+    const SegmentStep<double> step = FaceSegmentStep(tf, tb, false, false);
+    const ReferenceWeights weights = FindReferenceWeights(tf, tb);
     EXPECT_NEAR(step.Near, double(weights.Front), promised);
     EXPECT_NEAR(step.Far, double(weights.Back), promised);
     EXPECT_NEAR(step.Transparency, std::exp(-0.5 * (tf + tb)), 1e-15);
@@ -91,10 +91,10 @@ TEST(FaceSegment, BackwardStepTakesBack)
     const bool average = i % 2 == 0;
     const double tNear = random.LogUniform(1e-6, 5), tFar = random.LogUniform(1e-6, 5);
     const double light = random.Uniform(), near = random.Uniform(), far = random.Uniform();
-    const double forward = advance(light, faceSegmentStep(tNear, tFar, false, average), near, far);
-    const auto back = faceSegmentStep(tNear, tFar, true, average);
+    const double forward = Advance(light, FaceSegmentStep(tNear, tFar, false, average), near, far);
+    const auto back = FaceSegmentStep(tNear, tFar, true, average);
     EXPECT_GT(back.Transparency, 1);
-    EXPECT_NEAR(advance(forward, back, near, far), light, 1e-13 * back.Transparency);
+    EXPECT_NEAR(Advance(forward, back, near, far), light, 1e-13 * back.Transparency);
   }
 }
 
@@ -103,12 +103,12 @@ TEST(FaceSegment, OneMediumInAnyOrder)
   Random random(43);
   for (int i = 0; i < 300; ++i)
   {
-    std::vector<Face> faces = volumeWithGap(random, false);
+    std::vector<Face> faces = VolumeWithGap(random, false);
     const double light = random.Uniform(), through = std::exp(-0.7 * 6);
     const double expected = through * light + (1 - through) * 0.4;
-    EXPECT_NEAR(sweep(faces, light, i % 2 == 0), expected, 1e-13);
+    EXPECT_NEAR(Sweep(faces, light, i % 2 == 0), expected, 1e-13);
     std::shuffle(faces.begin(), faces.end(), random.GetEngine());
-    EXPECT_NEAR(sweep(faces, light, i % 2 == 0), expected, 1e-9) << "shuffled";
+    EXPECT_NEAR(Sweep(faces, light, i % 2 == 0), expected, 1e-9) << "shuffled";
   }
 }
 
@@ -118,7 +118,7 @@ TEST(FaceSegment, VaryingMediumInTheRightOrderOnly)
   int wrong = 0;
   for (int i = 0; i < 100; ++i)
   {
-    std::vector<Face> faces = volumeWithGap(random, true);
+    std::vector<Face> faces = VolumeWithGap(random, true);
     double expected = 1;
     for (std::size_t k = 1; k < faces.size(); ++k)
     {
@@ -127,14 +127,14 @@ TEST(FaceSegment, VaryingMediumInTheRightOrderOnly)
       {
         const double length = back.Z - front.Z;
         const ReferenceWeights w =
-          referenceWeights(length * front.Extinction, length * back.Extinction);
+          FindReferenceWeights(length * front.Extinction, length * back.Extinction);
         expected = double(1 - w.Front - w.Back) * expected + double(w.Front) * front.Color +
           double(w.Back) * back.Color;
       }
     }
-    EXPECT_NEAR(sweep(faces, 1, false), expected, 1e-6);
+    EXPECT_NEAR(Sweep(faces, 1, false), expected, 1e-6);
     std::swap(faces[1], faces[2]);
-    wrong += std::fabs(sweep(faces, 1, false) - expected) > 1e-6;
+    wrong += std::fabs(Sweep(faces, 1, false) - expected) > 1e-6;
   }
   EXPECT_GT(wrong, 50);
 }
@@ -156,8 +156,8 @@ TEST(FaceSegment, LinearMediumInAnyOrderInside)
       faces.push_back(face(random.Uniform(1, 4), 0));
     }
     faces.push_back(face(1, -1));
-    const double expected = sweep({ faces.front(), faces.back() }, 0.3, false);
-    EXPECT_NEAR(sweep(faces, 0.3, false), expected, 3e-6);
+    const double expected = Sweep({ faces.front(), faces.back() }, 0.3, false);
+    EXPECT_NEAR(Sweep(faces, 0.3, false), expected, 3e-6);
   }
 }
 
@@ -165,13 +165,13 @@ TEST(FaceSegment, ThickStepsStayFinite)
 {
   for (const double tau : { 299.0, 301.0, 1e6, 1e300 })
   {
-    const auto forward = faceSegmentStep(tau, tau, false, false),
-               backward = faceSegmentStep(tau, tau, true, false);
+    const auto forward = FaceSegmentStep(tau, tau, false, false),
+               backward = FaceSegmentStep(tau, tau, true, false);
     EXPECT_NEAR(forward.Near + forward.Far, 1, 1e-15);
     EXPECT_TRUE(std::isfinite(backward.Transparency) && std::isfinite(backward.Near) &&
       std::isfinite(backward.Far));
   }
-  const auto nothing = faceSegmentStep(0.0, 0.0, false, false);
+  const auto nothing = FaceSegmentStep(0.0, 0.0, false, false);
   EXPECT_EQ(nothing.Transparency, 1);
   EXPECT_EQ(nothing.Near, 0);
 }

@@ -76,7 +76,7 @@ struct TestMesh
   explicit TestMesh(int n)
   {
     Random random(51);
-    auto grid = makeStructuredGrid(n, n, n, [&](double i, double j, double k, double x[3]) {
+    auto grid = MakeStructuredGrid(n, n, n, [&](double i, double j, double k, double x[3]) {
       const double at[3] = { i, j, k };
       for (int axis = 0; axis < 3; ++axis)
       {
@@ -85,14 +85,14 @@ struct TestMesh
       }
     });
     ScalarSelection scalars;
-    scalars.Array = addPointNumbers(grid);
+    scalars.Array = AddPointNumbers(grid);
     EXPECT_EQ(this->Geometry.Build(grid, scalars), "");
     this->Faces.Build(this->Geometry);
     this->Visible.assign(this->Geometry.Tetrahedra.size(), 1);
   }
 };
 
-TransferFunctionTable constantMedium()
+TransferFunctionTable ConstantMedium()
 {
   TransferFunctionTable table;
   table.Nodes = { 0.5f };
@@ -102,7 +102,7 @@ TransferFunctionTable constantMedium()
   return table;
 }
 
-std::vector<float> draw(
+std::vector<float> Draw(
   const TestMesh& mesh, const FaceView& view, const TransferFunctionTable& table, bool sorted)
 {
   FaceProjection projection;
@@ -116,7 +116,7 @@ std::vector<float> draw(
 }
 
 /** Extinction and colour vary, linearly in the scalar. */
-TransferFunctionTable varyingMedium()
+TransferFunctionTable VaryingMedium()
 {
   TransferFunctionTable table;
   table.Nodes = { 0.0f, 1.0f };
@@ -127,7 +127,7 @@ TransferFunctionTable varyingMedium()
 }
 
 /** The eye, or the direction towards it, in model coordinates. */
-Vector4 eyeInModel(const TestView& view)
+Vector4 EyeInModel(const TestView& view)
 {
   vtkNew<vtkMatrix4x4> toModel;
   vtkMatrix4x4::Invert(view.ModelToView, toModel);
@@ -137,13 +137,13 @@ Vector4 eyeInModel(const TestView& view)
 }
 
 /** Tetrahedra from back to front: again and again, all that have nothing behind them. */
-std::vector<std::size_t> backToFront(const TestMesh& mesh, const Vector4& eye)
+std::vector<std::size_t> BackToFront(const TestMesh& mesh, const Vector4& eye)
 {
   std::vector<std::set<std::int32_t>> behind(mesh.Geometry.Tetrahedra.size());
   for (const MeshFace& face : mesh.Faces.GetFaces())
   {
     const auto at = [&](int k) { return mesh.Geometry.Position(face.Points[std::size_t(k)]); };
-    const bool firstBehind = planeSide(at(0), at(1), at(2), eye) > 0; // the eye sees its outside
+    const bool firstBehind = PlaneSide(at(0), at(1), at(2), eye) > 0; // the eye sees its outside
     if (face.Second >= 0)
     {
       behind[std::size_t(firstBehind ? face.Second : face.First)].insert(
@@ -173,12 +173,12 @@ std::vector<std::size_t> backToFront(const TestMesh& mesh, const Vector4& eye)
  * Lists the tetrahedra from back to front, and in each first the vertices whose opposite faces are back faces: the faces of the
  * mesh are then listed in an exact order.
  */
-void sortExactly(TestMesh& mesh, const Vector4& eye)
+void SortExactly(TestMesh& mesh, const Vector4& eye)
 {
   std::vector<Tetrahedron> sorted;
-  for (const std::size_t i : backToFront(mesh, eye))
+  for (const std::size_t i : BackToFront(mesh, eye))
   {
-    const Vector4 q = eyeCoordinates(mesh.Geometry.Vertices(i), eye);
+    const Vector4 q = EyeCoordinates(mesh.Geometry.Vertices(i), eye);
     const Tetrahedron& t = mesh.Geometry.Tetrahedra[i];
     Tetrahedron renumbered;
     int next = 0;
@@ -198,14 +198,14 @@ void sortExactly(TestMesh& mesh, const Vector4& eye)
   mesh.Faces.Build(mesh.Geometry);
 }
 
-Vector4 barycentric(const std::array<Vector3, 4>& p, const Vector3& x)
+Vector4 Barycentric(const std::array<Vector3, 4>& p, const Vector3& x)
 {
   Vector4 result;
   for (int i = 0; i < 4; ++i)
   {
     const auto& f = tetrahedronFaces[i];
-    result[i] = planeSide(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1 } }) /
-      planeSide(p[f[0]], p[f[1]], p[f[2]], { { p[i][0], p[i][1], p[i][2], 1 } });
+    result[i] = PlaneSide(p[f[0]], p[f[1]], p[f[2]], { { x[0], x[1], x[2], 1 } }) /
+      PlaneSide(p[f[0]], p[f[1]], p[f[2]], { { p[i][0], p[i][1], p[i][2], 1 } });
   }
   return result;
 }
@@ -215,7 +215,7 @@ struct Ray
   Vector3 Origin, Direction; ///< in model coordinates; z in view coordinates falls by 1 per unit
 };
 
-Ray rayOfPixel(const TestView& view, int x, int y)
+Ray RayOfPixel(const TestView& view, int x, int y)
 {
   vtkNew<vtkMatrix4x4> toModel;
   vtkMatrix4x4::Invert(view.ModelToView, toModel);
@@ -230,7 +230,7 @@ Ray rayOfPixel(const TestView& view, int x, int y)
 }
 
 /** Blue and alpha of a pixel: tetrahedra, sorted from back to front, one by one, by clipping in barycentric coordinates. */
-std::array<double, 2> compositeCells(const TestMesh& mesh, const Ray& ray)
+std::array<double, 2> CompositeCells(const TestMesh& mesh, const Ray& ray)
 {
   const auto& t = mesh.Geometry.Tetrahedra;
   std::array<double, 2> light = { { 0, 0 } };
@@ -240,7 +240,7 @@ std::array<double, 2> compositeCells(const TestMesh& mesh, const Ray& ray)
     const Vector3& o = ray.Origin;
     const Vector3 ahead = { { o[0] + ray.Direction[0], o[1] + ray.Direction[1],
       o[2] + ray.Direction[2] } };
-    const Vector4 at = barycentric(vertices, o), next = barycentric(vertices, ahead);
+    const Vector4 at = Barycentric(vertices, o), next = Barycentric(vertices, ahead);
     double low = 0, high = 1e9;
     for (int k = 0; k < 4; ++k)
     {
@@ -259,10 +259,10 @@ std::array<double, 2> compositeCells(const TestMesh& mesh, const Ray& ray)
         }
         return s;
       };
-      const double length = (high - low) * std::sqrt(dot(ray.Direction, ray.Direction));
+      const double length = (high - low) * std::sqrt(Dot(ray.Direction, ray.Direction));
       const double front = scalar(low), back = scalar(high);
       const auto depth = [&](double s) { return 1.5 * length * (0.2 + 4.8 * s); };
-      const auto weights = exactSegmentWeights(depth(front), depth(back));
+      const auto weights = ExactSegmentWeights(depth(front), depth(back));
       light[0] = (1 - weights.Alpha()) * light[0] + weights.Front * front + weights.Back * back;
       light[1] = (1 - weights.Alpha()) * light[1] + weights.Alpha();
     }
@@ -271,9 +271,9 @@ std::array<double, 2> compositeCells(const TestMesh& mesh, const Ray& ray)
 }
 
 /** Length of the pixel's ray in the cube [-.5, .5]^3 beyond the near plane, by clipping. */
-double lengthInCube(const TestView& view, double near, int x, int y)
+double LengthInCube(const TestView& view, double near, int x, int y)
 {
-  const Ray ray = rayOfPixel(view, x, y);
+  const Ray ray = RayOfPixel(view, x, y);
   double low = near, high = 1e9;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -282,7 +282,7 @@ double lengthInCube(const TestView& view, double near, int x, int y)
     low = std::max(low, std::min(a, b));
     high = std::min(high, std::max(a, b));
   }
-  return std::max(0.0, high - low) * std::sqrt(dot(ray.Direction, ray.Direction));
+  return std::max(0.0, high - low) * std::sqrt(Dot(ray.Direction, ray.Direction));
 }
 
 struct Case
@@ -344,20 +344,20 @@ TEST(FaceProjection, SortedByCentroids)
 TEST(FaceSweep, OneMediumInAnyOrder)
 {
   const TestMesh mesh(4);
-  const TransferFunctionTable table = constantMedium();
+  const TransferFunctionTable table = ConstantMedium();
   for (const Case& c : cases)
   {
     const TestView view(c.Distance, c.Near, 10, c.Parallel);
     for (const bool sorted : { true, false })
     {
-      const std::vector<float> rgba = draw(mesh, view.View(), table, sorted);
+      const std::vector<float> rgba = Draw(mesh, view.View(), table, sorted);
       double worst = 0;
       for (int y = 0; y < size; ++y)
       {
         for (int x = 0; x < size; ++x)
         {
           const float* pixel = rgba.data() + 4 * (y * size + x);
-          const double alpha = -std::expm1(-1.5 * lengthInCube(view, c.Near, x, y));
+          const double alpha = -std::expm1(-1.5 * LengthInCube(view, c.Near, x, y));
           worst =
             std::max({ worst, std::fabs(pixel[3] - alpha), std::fabs(pixel[0] - 0.8 * alpha) });
         }
@@ -381,13 +381,13 @@ TEST(FaceSweep, VaryingMediumInTheRightOrder)
       point.Scalar = float(random.Uniform());
     }
     const TestView view(2, 0.2, 10, parallel);
-    sortExactly(mesh, eyeInModel(view));
+    SortExactly(mesh, EyeInModel(view));
     const auto largestError = [&](bool sorted) {
-      const std::vector<float> rgba = draw(mesh, view.View(), varyingMedium(), sorted);
+      const std::vector<float> rgba = Draw(mesh, view.View(), VaryingMedium(), sorted);
       double largest = 0;
       for (int i = 0; i < size * size; ++i)
       {
-        const auto light = compositeCells(mesh, rayOfPixel(view, i % size, i / size));
+        const auto light = CompositeCells(mesh, RayOfPixel(view, i % size, i / size));
         largest = std::max({ largest, std::fabs(rgba[4 * i + 2] - light[0]),
           std::fabs(rgba[4 * i + 3] - light[1]) });
       }
@@ -409,9 +409,9 @@ TEST(FaceSweep, HolesInAnyOrder)
   {
     visible = random.Integer(0, 2) > 0;
   }
-  const TransferFunctionTable table = constantMedium();
-  const std::vector<float> sorted = draw(mesh, view.View(), table, true);
-  const std::vector<float> unsorted = draw(mesh, view.View(), table, false);
+  const TransferFunctionTable table = ConstantMedium();
+  const std::vector<float> sorted = Draw(mesh, view.View(), table, true);
+  const std::vector<float> unsorted = Draw(mesh, view.View(), table, false);
   float largest = 0, difference = 0;
   for (std::size_t i = 0; i < sorted.size(); ++i)
   {
@@ -426,12 +426,12 @@ TEST(FaceSweep, SameOnAnyNumberOfThreads)
 {
   const TestMesh mesh(4);
   const TestView view(1.5, 0.2, 10, false);
-  const TransferFunctionTable table = varyingMedium();
+  const TransferFunctionTable table = VaryingMedium();
   std::vector<float> first;
   for (const int threads : { 1, 2, 4 })
   {
     std::vector<float> rgba;
-    withThreads(threads, [&]() { rgba = draw(mesh, view.View(), table, true); });
+    WithThreads(threads, [&]() { rgba = Draw(mesh, view.View(), table, true); });
     first = first.empty() ? rgba : first;
     EXPECT_EQ(rgba, first) << threads << " threads";
   }
@@ -442,6 +442,6 @@ TEST(FaceSweep, NothingVisible)
   TestMesh mesh(2);
   mesh.Visible.assign(mesh.Visible.size(), 0);
   const TestView view(1.5, 0.2, 10, false);
-  const std::vector<float> rgba = draw(mesh, view.View(), constantMedium(), true);
+  const std::vector<float> rgba = Draw(mesh, view.View(), ConstantMedium(), true);
   EXPECT_EQ(*std::max_element(rgba.begin(), rgba.end()), 0.0f);
 }

@@ -48,12 +48,12 @@ struct Sums
   template <typename Real>
   double Light() const
   {
-    return mixedLight(Real(this->Emission[0]), Real(this->Emission[1]), Real(this->Emission[2]),
+    return MixedLight(Real(this->Emission[0]), Real(this->Emission[1]), Real(this->Emission[2]),
       Real(this->Tau[0]), Real(this->Tau[1]));
   }
 };
 
-long double transmittance(const std::vector<Medium>& media, long double t)
+long double Transmittance(const std::vector<Medium>& media, long double t)
 {
   long double depth = 0;
   for (const Medium& m : media)
@@ -63,7 +63,7 @@ long double transmittance(const std::vector<Medium>& media, long double t)
   return std::exp(-depth);
 }
 
-double expectedLight(const std::vector<Medium>& media)
+double ExpectedLight(const std::vector<Medium>& media)
 {
   const auto emitted = [&](long double t) {
     ReferenceWeights value;
@@ -71,13 +71,13 @@ double expectedLight(const std::vector<Medium>& media)
     {
       value.Front += m.EmissionAt(static_cast<double>(t));
     }
-    value.Front *= transmittance(media, t);
+    value.Front *= Transmittance(media, t);
     return value;
   };
-  return static_cast<double>(adaptiveIntegral(emitted, 0.0L, 1.0L, 14).Front);
+  return static_cast<double>(AdaptiveIntegral(emitted, 0.0L, 1.0L, 14).Front);
 }
 
-std::vector<Medium> randomMedia(Random& random, double largest)
+std::vector<Medium> RandomMedia(Random& random, double largest)
 {
   std::vector<Medium> media(static_cast<std::size_t>(random.Integer(1, 4)));
   for (Medium& m : media)
@@ -103,8 +103,8 @@ TEST(MixedSegment, AgreesWithQuadrature)
   {
     for (int i = 0; i < 3000; ++i)
     {
-      const std::vector<Medium> media = randomMedia(random, largest);
-      const double expected = expectedLight(media);
+      const std::vector<Medium> media = RandomMedia(random, largest);
+      const double expected = ExpectedLight(media);
       worst[0] = std::max(worst[0], std::abs(Sums(media).Light<double>() - expected));
       worst[1] = std::max(worst[1], std::abs(Sums(media).Light<float>() - expected));
     }
@@ -121,7 +121,7 @@ TEST(MixedSegment, OneMediumIsThatOfOpticalSegment)
   {
     const Medium m = { { random.LogUniform(1e-4, 100), random.LogUniform(1e-4, 100) },
       { random.Uniform(), random.Uniform() } };
-    const SegmentWeights<double> weights = exactSegmentWeights(m.Tau[0], m.Tau[1]);
+    const SegmentWeights<double> weights = ExactSegmentWeights(m.Tau[0], m.Tau[1]);
     ASSERT_NEAR(
       Sums({ m }).Light<double>(), weights.Front * m.Color[0] + weights.Back * m.Color[1], 1e-12);
   }
@@ -132,7 +132,7 @@ TEST(MixedSegment, OrderOfMediaDoesNotMatter)
   Random random(73);
   for (int i = 0; i < 500; ++i)
   {
-    std::vector<Medium> media = randomMedia(random, 10);
+    std::vector<Medium> media = RandomMedia(random, 10);
     const double light = Sums(media).Light<double>();
     std::reverse(media.begin(), media.end());
     ASSERT_NEAR(Sums(media).Light<double>(), light, 1e-12);

@@ -40,7 +40,7 @@ constexpr WeightOracle oracles[] = {
 };
 
 /** Pairs with zero, equal, nearly equal and very different ends. */
-std::pair<float, float> randomPair(Random& random, double largest)
+std::pair<float, float> RandomPair(Random& random, double largest)
 {
   const auto draw = [&]() {
     return random.Integer(0, 1) ? random.Uniform(0, largest) : random.LogUniform(1e-8, largest);
@@ -68,14 +68,14 @@ struct Errors
   float WorstFront = 0, WorstBack = 0;
 };
 
-Errors measureFloatErrors(Random& random, double largest, int samples)
+Errors MeasureFloatErrors(Random& random, double largest, int samples)
 {
   Errors errors;
   for (int i = 0; i < samples; ++i)
   {
-    const auto [tf, tb] = randomPair(random, largest);
-    const SegmentWeights<float> weights = exactSegmentWeights(tf, tb);
-    const ReferenceWeights expected = referenceWeights(tf, tb);
+    const auto [tf, tb] = RandomPair(random, largest);
+    const SegmentWeights<float> weights = ExactSegmentWeights(tf, tb);
+    const ReferenceWeights expected = FindReferenceWeights(tf, tb);
     const double front = std::fabs(double(weights.Front - expected.Front));
     const double back = std::fabs(double(weights.Back - expected.Back));
     if (std::max(front, back) > errors.Absolute)
@@ -114,15 +114,15 @@ TEST(SegmentReference, AgreesWithSeriesAndClosedForm)
   for (int i = 0; i < 500; ++i)
   {
     const long double tf = random.LogUniform(1e-3, 20), tb = random.LogUniform(1e-3, 20);
-    const ReferenceWeights weights = referenceWeights(tf, tb);
+    const ReferenceWeights weights = FindReferenceWeights(tf, tb);
     const long double transparency = std::exp(-0.5L * (tf + tb));
-    const long double psi = besselSeriesPsi(tf, tb);
+    const long double psi = BesselSeriesPsi(tf, tb);
     EXPECT_NEAR(double(weights.Front - (1 - psi)), 0, 1e-15) << double(tf) << " " << double(tb);
     EXPECT_NEAR(double(weights.Back - (psi - transparency)), 0, 1e-15)
       << double(tf) << " " << double(tb);
     if (tb > 2 * tf)
     {
-      EXPECT_NEAR(double(closedFormPsi(tf, tb) - psi), 0, 1e-15) << double(tf) << " " << double(tb);
+      EXPECT_NEAR(double(ClosedFormPsi(tf, tb) - psi), 0, 1e-15) << double(tf) << " " << double(tb);
     }
   }
 }
@@ -131,7 +131,7 @@ TEST(OpticalSegment, Oracles)
 {
   for (const WeightOracle& o : oracles)
   {
-    const SegmentWeights<double> weights = exactSegmentWeights(o.TauFront, o.TauBack);
+    const SegmentWeights<double> weights = ExactSegmentWeights(o.TauFront, o.TauBack);
     EXPECT_NEAR(weights.Front, o.Front, 1e-6 * o.Front) << o.TauFront << " " << o.TauBack;
     EXPECT_NEAR(weights.Back, o.Back, 1e-6 * o.Back) << o.TauFront << " " << o.TauBack;
   }
@@ -140,30 +140,30 @@ TEST(OpticalSegment, Oracles)
 TEST(OpticalSegment, UnitCube)
 {
   // Extinction 1, colour 1: alpha = 1 - 1/e.
-  EXPECT_NEAR(exactSegmentWeights(1.0, 1.0).Alpha(), 0.6321205588285577, 0.6321205588285577e-6);
+  EXPECT_NEAR(ExactSegmentWeights(1.0, 1.0).Alpha(), 0.6321205588285577, 0.6321205588285577e-6);
   // Extinction 1 + z, colour z, seen from z = 0 and from z = 1.
-  EXPECT_NEAR(exactSegmentWeights(1.0, 2.0).Back, 0.338529199, 1e-6 * 0.338529199);
-  EXPECT_NEAR(exactSegmentWeights(2.0, 1.0).Front, 0.521731859, 1e-6 * 0.521731859);
-  EXPECT_NEAR(1 - exactSegmentWeights(1.0, 2.0).Alpha(), 0.223130160, 1e-6 * 0.223130160);
+  EXPECT_NEAR(ExactSegmentWeights(1.0, 2.0).Back, 0.338529199, 1e-6 * 0.338529199);
+  EXPECT_NEAR(ExactSegmentWeights(2.0, 1.0).Front, 0.521731859, 1e-6 * 0.521731859);
+  EXPECT_NEAR(1 - ExactSegmentWeights(1.0, 2.0).Alpha(), 0.223130160, 1e-6 * 0.223130160);
 }
 
 TEST(OpticalSegment, AverageRule)
 {
   // Colour from 0 to 1 over unit depth: 0.316060279 instead of 0.264241118.
-  const SegmentWeights<double> average = averageSegmentWeights(1.0, 1.0);
+  const SegmentWeights<double> average = AverageSegmentWeights(1.0, 1.0);
   EXPECT_NEAR(average.Back, 0.316060279, 1e-6 * 0.316060279);
-  EXPECT_NEAR(average.Back - exactSegmentWeights(1.0, 1.0).Back, 0.0518191617571635,
+  EXPECT_NEAR(average.Back - ExactSegmentWeights(1.0, 1.0).Back, 0.0518191617571635,
     1e-5 * 0.0518191617571635);
   Random random(12);
   for (int i = 0; i < 1000; ++i)
   {
     const double tf = random.LogUniform(1e-12, 100), tb = random.LogUniform(1e-12, 100);
-    const SegmentWeights<double> weights = averageSegmentWeights(tf, tb);
+    const SegmentWeights<double> weights = AverageSegmentWeights(tf, tb);
     const double alpha =
       -std::expm1(-0.5 * (tf + tb)); // its transparency is exact whatever the ends
     EXPECT_NEAR(weights.Alpha(), alpha, 1e-14 * alpha);
     EXPECT_EQ(weights.Front, weights.Back);
-    const SegmentWeights<float> single = averageSegmentWeights(float(tf), float(tb));
+    const SegmentWeights<float> single = AverageSegmentWeights(float(tf), float(tb));
     EXPECT_NEAR(single.Alpha(), alpha, 3e-7 * alpha);
   }
 }
@@ -172,7 +172,7 @@ TEST_P(OpticalDepthsUpTo, FloatErrors)
 {
   const double largest = this->GetParam();
   Random random(13);
-  const Errors errors = measureFloatErrors(random, largest, 20000);
+  const Errors errors = MeasureFloatErrors(random, largest, 20000);
   std::cout << "optical depths up to " << largest << ": largest error " << errors.Absolute
             << " at (" << errors.WorstFront << ", " << errors.WorstBack << "), relative "
             << errors.Relative << std::endl;
@@ -189,8 +189,8 @@ TEST(OpticalSegment, BeyondThousand)
   for (int i = 0; i < 5000; ++i)
   {
     const float tf = float(random.LogUniform(1e-3, 1e6)), tb = float(random.LogUniform(1e3, 1e6));
-    const SegmentWeights<float> weights = exactSegmentWeights(tf, tb);
-    const ReferenceWeights expected = referenceWeights(tf, tb);
+    const SegmentWeights<float> weights = ExactSegmentWeights(tf, tb);
+    const ReferenceWeights expected = FindReferenceWeights(tf, tb);
     largest = std::max({ largest, std::fabs(double(weights.Front - expected.Front)),
       std::fabs(double(weights.Back - expected.Back)) });
   }
@@ -202,8 +202,8 @@ TEST(OpticalSegment, BeyondThousand)
 TEST(OpticalSegment, EveryRungHolds)
 {
   Random random(15);
-  EXPECT_EQ(quadratureRule(10.0).Size, 10);
-  EXPECT_EQ(quadratureRule(10.001).Size, 16);
+  EXPECT_EQ(ChooseQuadratureRule(10.0).Size, 10);
+  EXPECT_EQ(ChooseQuadratureRule(10.001).Size, 16);
   for (const Rung& rung : rungs)
   {
     const double low = rung.Low, high = rung.High;
@@ -213,8 +213,8 @@ TEST(OpticalSegment, EveryRungHolds)
       const double dense = i % 2 ? high : random.LogUniform(low, high);
       const double thin = i % 5 ? random.Uniform(0, dense) : 0.0;
       const double tf = i % 3 ? dense : thin, tb = i % 3 ? thin : dense;
-      const SegmentWeights<double> weights = exactSegmentWeights(tf, tb);
-      const ReferenceWeights expected = referenceWeights(tf, tb);
+      const SegmentWeights<double> weights = ExactSegmentWeights(tf, tb);
+      const ReferenceWeights expected = FindReferenceWeights(tf, tb);
       const double front = std::fabs(double(weights.Front - expected.Front));
       const double back = std::fabs(double(weights.Back - expected.Back));
       absolute = std::max({ absolute, front, back });
@@ -232,7 +232,7 @@ TEST(OpticalSegment, RulesAreGaussLegendre)
 {
   for (const double largest : { 9.0, 900.0 })
   {
-    const QuadratureRule rule = quadratureRule(largest);
+    const QuadratureRule rule = ChooseQuadratureRule(largest);
     for (int power = 0; power < 2 * rule.Size; ++power) // exact for these, and for no higher one
     {
       double sum = 0;
@@ -250,13 +250,13 @@ TEST(OpticalSegment, WeightsArePositiveAndBounded)
   Random random(16);
   for (int i = 0; i < 100000; ++i)
   {
-    const auto [tf, tb] = randomPair(random, i % 2 ? 1e5 : 5);
-    const SegmentWeights<float> weights = exactSegmentWeights(tf, tb);
+    const auto [tf, tb] = RandomPair(random, i % 2 ? 1e5 : 5);
+    const SegmentWeights<float> weights = ExactSegmentWeights(tf, tb);
     ASSERT_GE(weights.Front, 0.0f) << tf << " " << tb;
     ASSERT_GE(weights.Back, 0.0f) << tf << " " << tb;
     ASSERT_LE(weights.Alpha(), 1.0f + 2e-6f) << tf << " " << tb;
   }
-  const SegmentWeights<float> nothing = exactSegmentWeights(0.0f, 0.0f);
+  const SegmentWeights<float> nothing = ExactSegmentWeights(0.0f, 0.0f);
   EXPECT_EQ(nothing.Front, 0.0f);
   EXPECT_EQ(nothing.Back, 0.0f);
 }
@@ -267,13 +267,13 @@ TEST(OpticalSegment, AlphaAndReversal)
   Random random(17);
   for (int i = 0; i < 20000; ++i)
   {
-    const auto [tf, tb] = randomPair(random, 50);
+    const auto [tf, tb] = RandomPair(random, 50);
     const double alpha = -std::expm1(-0.5 * (double(tf) + double(tb)));
-    ASSERT_NEAR(exactSegmentWeights(double(tf), double(tb)).Alpha(), alpha, doubleTolerance)
+    ASSERT_NEAR(ExactSegmentWeights(double(tf), double(tb)).Alpha(), alpha, doubleTolerance)
       << tf << " " << tb;
-    ASSERT_NEAR(exactSegmentWeights(double(tb), double(tf)).Alpha(), alpha, doubleTolerance)
+    ASSERT_NEAR(ExactSegmentWeights(double(tb), double(tf)).Alpha(), alpha, doubleTolerance)
       << tf << " " << tb;
-    ASSERT_NEAR(exactSegmentWeights(tf, tb).Alpha(), alpha, 2 * floatTolerance) << tf << " " << tb;
+    ASSERT_NEAR(ExactSegmentWeights(tf, tb).Alpha(), alpha, 2 * floatTolerance) << tf << " " << tb;
   }
 }
 
@@ -283,14 +283,14 @@ TEST(OpticalSegment, CutSegmentsCompositeToTheWhole)
   Random random(18);
   for (int i = 0; i < 20000; ++i)
   {
-    const auto [front, back] = randomPair(random, 30);
+    const auto [front, back] = RandomPair(random, 30);
     const double tf = front, tb = back, cut = random.Uniform();
     const double colors[2] = { random.Uniform(), random.Uniform() };
     const double tauAtCut = tf + cut * (tb - tf),
                  colorAtCut = colors[0] + cut * (colors[1] - colors[0]);
-    const SegmentWeights<double> whole = exactSegmentWeights(tf, tb);
-    const SegmentWeights<double> near = exactSegmentWeights(cut * tf, cut * tauAtCut);
-    const SegmentWeights<double> far = exactSegmentWeights((1 - cut) * tauAtCut, (1 - cut) * tb);
+    const SegmentWeights<double> whole = ExactSegmentWeights(tf, tb);
+    const SegmentWeights<double> near = ExactSegmentWeights(cut * tf, cut * tauAtCut);
+    const SegmentWeights<double> far = ExactSegmentWeights((1 - cut) * tauAtCut, (1 - cut) * tb);
     const double composited = near.Front * colors[0] + near.Back * colorAtCut +
       (1 - near.Alpha()) * (far.Front * colorAtCut + far.Back * colors[1]);
     ASSERT_NEAR(composited, whole.Front * colors[0] + whole.Back * colors[1], 3 * doubleTolerance)
@@ -304,7 +304,7 @@ TEST(OpticalSegment, OpaqueEnd)
   for (int i = 0; i < 1000; ++i)
   {
     const double tf = random.LogUniform(1e-3, 1e4), tb = i % 7 ? random.LogUniform(1e-3, 1e4) : 0;
-    const double end = opaqueEnd(tf, tb);
+    const double end = OpaqueEnd(tf, tb);
     const double depth = end * (tf + 0.5 * (tb - tf) * end);
     ASSERT_GT(end, 0);
     ASSERT_LE(end, 1);

@@ -17,12 +17,12 @@ using namespace nephoscope_test;
 
 namespace
 {
-std::string constant(const char* name, bool value)
+std::string Constant(const char* name, bool value)
 {
   return std::string("const bool ") + name + (value ? " = true;\n" : " = false;\n");
 }
 
-void setQuadratureNodes(vtkShaderProgram* program)
+void SetQuadratureNodes(vtkShaderProgram* program)
 {
   float nodes[numberOfQuadratureNodes][2];
   for (int i = 0; i < numberOfQuadratureNodes; ++i)
@@ -37,7 +37,7 @@ void setQuadratureNodes(vtkShaderProgram* program)
 }
 
 /** Pairs of optical depths: 0 and 10^-6 to 10^3 in equal steps of the logarithm, and the ends of the rules. */
-std::vector<Float4> opticalDepthGrid()
+std::vector<Float4> OpticalDepthGrid()
 {
   std::vector<float> depths = { 0, 0.05f, 0.25f, 1, 10, 0.0399f, 0.04f };
   for (int i = 0; i <= 72; ++i)
@@ -55,18 +55,18 @@ std::vector<Float4> opticalDepthGrid()
   return pairs;
 }
 
-double largestDifference(ShaderRunner& runner, bool average)
+double LargestDifference(ShaderRunner& runner, bool average)
 {
-  const std::vector<Float4> pairs = opticalDepthGrid();
+  const std::vector<Float4> pairs = OpticalDepthGrid();
   const std::vector<Float4> results = runner.Run(
-    constant("averageIntegration", average) + readShader("OpticalSegment.glsl"),
-    "result = vec4(segmentWeights(first.x, first.y), 0.0, 1.0);", pairs, pairs, setQuadratureNodes);
+    Constant("averageIntegration", average) + ReadShader("OpticalSegment.glsl"),
+    "result = vec4(segmentWeights(first.x, first.y), 0.0, 1.0);", pairs, pairs, SetQuadratureNodes);
   double largest = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i)
   {
     EXPECT_EQ(results[i][3], 1.0f) << "not drawn";
-    const SegmentWeights<float> weights = average ? averageSegmentWeights(pairs[i][0], pairs[i][1])
-                                                  : exactSegmentWeights(pairs[i][0], pairs[i][1]);
+    const SegmentWeights<float> weights = average ? AverageSegmentWeights(pairs[i][0], pairs[i][1])
+                                                  : ExactSegmentWeights(pairs[i][0], pairs[i][1]);
     const double difference =
       std::max(std::fabs(results[i][0] - weights.Front), std::fabs(results[i][1] - weights.Back));
     EXPECT_LE(difference, 2e-6) << pairs[i][0] << " " << pairs[i][1];
@@ -77,7 +77,7 @@ double largestDifference(ShaderRunner& runner, bool average)
 
 // ---- transfer functions -------------------------------------------------------------------------------------------
 
-TransferFunctionTable randomTable(Random& random, int nodes)
+TransferFunctionTable RandomTable(Random& random, int nodes)
 {
   TransferFunctionTable table;
   for (int i = 0; i < nodes; ++i)
@@ -104,7 +104,7 @@ TransferFunctionTable randomTable(Random& random, int nodes)
   return table;
 }
 
-void addTable(ShaderRunner& runner, const std::string& prefix, const TransferFunctionTable& table)
+void AddTable(ShaderRunner& runner, const std::string& prefix, const TransferFunctionTable& table)
 {
   std::vector<float> nodes; // (position, width above)
   for (std::size_t i = 0; i < table.Nodes.size(); ++i)
@@ -125,7 +125,7 @@ void addTable(ShaderRunner& runner, const std::string& prefix, const TransferFun
 using Double4 = std::array<long double, 4>;
 
 /** The line of the interval that holds `inside`, at s. */
-Double4 evaluateLine(const TransferFunctionTable& table, long double inside, long double s)
+Double4 EvaluateLine(const TransferFunctionTable& table, long double inside, long double s)
 {
   std::size_t k = 0;
   while (k < table.Nodes.size() && table.Nodes[k] <= inside)
@@ -150,7 +150,7 @@ struct Functions
   bool Separate;
 };
 
-void addCuts(const TransferFunctionTable& table, long double front, long double back,
+void AddCuts(const TransferFunctionTable& table, long double front, long double back,
   std::vector<long double>& cuts)
 {
   for (const float node : table.Nodes)
@@ -164,13 +164,13 @@ void addCuts(const TransferFunctionTable& table, long double front, long double 
 }
 
 /** Colour and alpha of a segment; x of its ends is read by the first function, y by the opacity function. */
-Double4 referenceSegment(const Functions& f, const Float4& ends, long double scale)
+Double4 ReferenceSegment(const Functions& f, const Float4& ends, long double scale)
 {
   std::vector<long double> cuts = { 0, 1 };
-  addCuts(f.Transfer, ends[0], ends[2], cuts);
+  AddCuts(f.Transfer, ends[0], ends[2], cuts);
   if (f.Separate)
   {
-    addCuts(f.Opacity, ends[1], ends[3], cuts);
+    AddCuts(f.Opacity, ends[1], ends[3], cuts);
   }
   std::sort(cuts.begin(), cuts.end());
   Double4 result = {};
@@ -180,15 +180,15 @@ Double4 referenceSegment(const Functions& f, const Float4& ends, long double sca
     const long double from = cuts[i - 1], to = cuts[i], middle = 0.5L * (from + to);
     const auto at = [&](long double t) {
       Double4 value =
-        evaluateLine(f.Transfer, mix(ends[0], ends[2], middle), mix(ends[0], ends[2], t));
+        EvaluateLine(f.Transfer, mix(ends[0], ends[2], middle), mix(ends[0], ends[2], t));
       value[3] = f.Separate
-        ? evaluateLine(f.Opacity, mix(ends[1], ends[3], middle), mix(ends[1], ends[3], t))[3]
+        ? EvaluateLine(f.Opacity, mix(ends[1], ends[3], middle), mix(ends[1], ends[3], t))[3]
         : value[3];
       return value;
     };
     const Double4 front = at(from), back = at(to);
     const long double length = scale * (to - from);
-    const ReferenceWeights weights = referenceWeights(front[3] * length, back[3] * length);
+    const ReferenceWeights weights = FindReferenceWeights(front[3] * length, back[3] * length);
     const long double clear = 1 - result[3];
     for (std::size_t c = 0; c < 3; ++c)
     {
@@ -200,7 +200,7 @@ Double4 referenceSegment(const Functions& f, const Float4& ends, long double sca
 }
 
 /** Ends of segments: wide ones, level ones, and both outside. Narrow ones would make the place of a jump uncertain in float. */
-std::vector<Float4> randomSegments(Random& random, int n)
+std::vector<Float4> RandomSegments(Random& random, int n)
 {
   const auto end = [&]() { return float(random.Uniform(-0.2, 1.2)); };
   std::vector<Float4> segments;
@@ -224,33 +224,33 @@ std::vector<Float4> randomSegments(Random& random, int n)
   return segments;
 }
 
-double largestSegmentError(Random& random, bool separate)
+double LargestSegmentError(Random& random, bool separate)
 {
   ShaderRunner runner;
-  const Functions f = { randomTable(random, 9), randomTable(random, 7), separate };
-  addTable(runner, "transfer", f.Transfer);
-  addTable(runner, "opacity", f.Opacity);
-  const std::vector<Float4> segments = randomSegments(random, 2000);
+  const Functions f = { RandomTable(random, 9), RandomTable(random, 7), separate };
+  AddTable(runner, "transfer", f.Transfer);
+  AddTable(runner, "opacity", f.Opacity);
+  const std::vector<Float4> segments = RandomSegments(random, 2000);
   std::vector<Float4> scales;
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     scales.push_back({ { float(random.LogUniform(1e-3, 20)), 0, 0, 0 } });
   }
-  const std::string functions = constant("averageIntegration", false) +
-    constant("separateOpacity", separate) + constant("splitAtControlPoints", true) +
-    constant("useLayers", false) + readShader("OpticalSegment.glsl") +
-    readShader("TransferFunction.glsl");
+  const std::string functions = Constant("averageIntegration", false) +
+    Constant("separateOpacity", separate) + Constant("splitAtControlPoints", true) +
+    Constant("useLayers", false) + ReadShader("OpticalSegment.glsl") +
+    ReadShader("TransferFunction.glsl");
   const auto results =
     runner.Run(functions, "result = integrateSegment(first.xy, first.zw, second.x);", segments,
       scales, [&](vtkShaderProgram* program) {
-        setQuadratureNodes(program);
+        SetQuadratureNodes(program);
         program->SetUniformi("numberOfTransferNodes", int(f.Transfer.Nodes.size()));
         program->SetUniformi("numberOfOpacityNodes", int(f.Opacity.Nodes.size()));
       });
   double largest = 0;
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
-    const Double4 expected = referenceSegment(f, segments[i], scales[i][0]);
+    const Double4 expected = ReferenceSegment(f, segments[i], scales[i][0]);
     for (std::size_t c = 0; c < 4; ++c)
     {
       const double difference = std::fabs(double(results[i][c] - expected[c]));
@@ -267,25 +267,25 @@ double largestSegmentError(Random& random, bool separate)
 TEST(OpticalSegmentShader, ExactWeights)
 {
   ShaderRunner runner;
-  std::cout << "largest difference to C++ in float: " << largestDifference(runner, false)
+  std::cout << "largest difference to C++ in float: " << LargestDifference(runner, false)
             << std::endl;
 }
 
 TEST(OpticalSegmentShader, AverageWeights)
 {
   ShaderRunner runner;
-  std::cout << "largest difference to C++ in float: " << largestDifference(runner, true)
+  std::cout << "largest difference to C++ in float: " << LargestDifference(runner, true)
             << std::endl;
 }
 
 TEST(TransferFunctionShader, SegmentsThroughJumps)
 {
   Random random(71);
-  std::cout << "largest error: " << largestSegmentError(random, false) << std::endl;
+  std::cout << "largest error: " << LargestSegmentError(random, false) << std::endl;
 }
 
 TEST(TransferFunctionShader, OpacityFromAnotherArray)
 {
   Random random(72);
-  std::cout << "largest error: " << largestSegmentError(random, true) << std::endl;
+  std::cout << "largest error: " << LargestSegmentError(random, true) << std::endl;
 }

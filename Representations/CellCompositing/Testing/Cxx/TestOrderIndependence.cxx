@@ -12,7 +12,7 @@
 
 #include <limits>
 
-using nephoscope::hasOneColor;
+using nephoscope::IsOfOneColor;
 using nephoscope::OneColor;
 using Channels = nephoscope::TransferFunctionTable::Channels;
 
@@ -35,7 +35,7 @@ protected:
     const double range[2] = { 0, 10 };
     nephoscope::TransferFunctionTable table;
     table.Build(this->Property, range, channels);
-    return hasOneColor(table, low, high);
+    return IsOfOneColor(table, low, high);
   }
 
   void Opacities(std::initializer_list<std::pair<double, double>> points)

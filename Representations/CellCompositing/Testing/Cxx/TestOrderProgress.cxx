@@ -17,7 +17,7 @@ namespace
 const Vector4 eye = { { 3, 1, 0.5, 1 } };
 
 /** Everything that a first frame needs; false when stopped. */
-bool makeOrder(vtkDataSet* data, const Progress& progress, ProjectionOrder& sorted)
+bool MakeOrder(vtkDataSet* data, const Progress& progress, ProjectionOrder& sorted)
 {
   CellGeometry geometry;
   FaceNeighbors neighbors;
@@ -52,9 +52,9 @@ TEST(ProgressLoop, EveryElementOnce)
       std::vector<std::atomic<int>> visits(n);
       std::vector<std::size_t> turns;
       const Progress progress = heard ? Progress([](double) { return true; }) : Progress();
-      EXPECT_TRUE(forEach(n, progress, [&](std::size_t i) { ++visits[i]; }));
+      EXPECT_TRUE(ForEachIndex(n, progress, [&](std::size_t i) { ++visits[i]; }));
       EXPECT_TRUE(std::all_of(visits.begin(), visits.end(), [](int v) { return v == 1; }));
-      EXPECT_TRUE(forEachInTurn(n, progress, [&](std::size_t i) { turns.push_back(i); }));
+      EXPECT_TRUE(ForEachInTurn(n, progress, [&](std::size_t i) { turns.push_back(i); }));
       EXPECT_TRUE(turns.size() == n && std::is_sorted(turns.begin(), turns.end()));
     }
   }
@@ -70,12 +70,12 @@ TEST(ProgressLoop, PartsOfParts)
 
 TEST(OrderProgress, GrowsFromNothingToAll)
 {
-  const auto data = makeShell(60, 30, 4, 80, 1, 1.3);
-  addPointNumbers(data);
+  const auto data = MakeShell(60, 30, 4, 80, 1, 1.3);
+  AddPointNumbers(data);
   double last = 0;
   int events = 0;
   ProjectionOrder sorted;
-  EXPECT_TRUE(makeOrder(data, Progress([&](double fraction) {
+  EXPECT_TRUE(MakeOrder(data, Progress([&](double fraction) {
     EXPECT_GE(fraction, last - 1e-12);
     EXPECT_LE(fraction, 1 + 1e-12);
     last = fraction;
@@ -88,13 +88,13 @@ TEST(OrderProgress, GrowsFromNothingToAll)
 
 TEST(OrderProgress, StopsWhereverItIsTold)
 {
-  const auto data = makeShell(24, 12, 3, 80, 1, 1.3);
-  addPointNumbers(data);
+  const auto data = MakeShell(24, 12, 3, 80, 1, 1.3);
+  AddPointNumbers(data);
   ProjectionOrder whole, stopped, again;
   int events = 0;
-  ASSERT_TRUE(makeOrder(data, Progress([&](double) { return ++events > 0; }), whole));
+  ASSERT_TRUE(MakeOrder(data, Progress([&](double) { return ++events > 0; }), whole));
   ProjectionOrder quiet;
-  ASSERT_TRUE(makeOrder(data, Progress(), quiet));
+  ASSERT_TRUE(MakeOrder(data, Progress(), quiet));
   EXPECT_EQ(quiet.Tetrahedra, whole.Tetrahedra) << "whether anybody listens must not matter";
   ASSERT_GT(events, 20);
   // The length of a stretch, and with it the number of events, depends on the clock: only early ones are sure to come.
@@ -102,7 +102,7 @@ TEST(OrderProgress, StopsWhereverItIsTold)
   for (int stop = 1; stop <= events; ++stop)
   {
     int count = 0, after = 0;
-    if (!makeOrder(data, Progress([&](double) {
+    if (!MakeOrder(data, Progress([&](double) {
           after += count >= stop;
           return ++count < stop;
         }),
@@ -113,13 +113,13 @@ TEST(OrderProgress, StopsWhereverItIsTold)
     }
   }
   EXPECT_GT(stops, 15);
-  ASSERT_TRUE(makeOrder(data, Progress(), again));
+  ASSERT_TRUE(MakeOrder(data, Progress(), again));
   EXPECT_EQ(again.Tetrahedra, whole.Tetrahedra);
 }
 
 TEST(OrderProgress, CentroidsStopToo)
 {
-  const CellGeometry geometry = buildGeometry(makeLattice(6));
+  const CellGeometry geometry = BuildGeometry(MakeLattice(6));
   const Vector4 away = { { 9, 8, 7, 1 } };
   ProjectionOrder order, stopped;
   using Kind = ProjectionOrder::Kind;

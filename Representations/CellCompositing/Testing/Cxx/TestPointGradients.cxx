@@ -20,9 +20,9 @@ namespace
 {
 using Gradients = std::vector<std::array<float, 4>>;
 
-CellGeometry buildGeometry(vtkDataSet* data, const std::function<double(const double[3])>& field)
+CellGeometry BuildGeometry(vtkDataSet* data, const std::function<double(const double[3])>& field)
 {
-  vtkDataArray* array = addScalars(data, false, [&](vtkIdType i) {
+  vtkDataArray* array = AddScalars(data, false, [&](vtkIdType i) {
     double x[3];
     data->GetPoint(i, x);
     return field(x);
@@ -32,7 +32,7 @@ CellGeometry buildGeometry(vtkDataSet* data, const std::function<double(const do
   return geometry;
 }
 
-std::vector<float> scalarsOf(const CellGeometry& geometry)
+std::vector<float> ScalarsOf(const CellGeometry& geometry)
 {
   std::vector<float> scalars;
   for (const auto& p : geometry.Points)
@@ -47,16 +47,16 @@ TEST(PointGradients, LinearFieldsAreReproduced)
 {
   for (const double flatness : { 1.0, 1e-3 })
   {
-    auto data = makeStructuredGrid(6, 5, 4, [=](double i, double j, double k, double x[3]) {
+    auto data = MakeStructuredGrid(6, 5, 4, [=](double i, double j, double k, double x[3]) {
       x[0] = i + 0.2 * std::sin(3 * j + k);
       x[1] = j + 0.2 * std::sin(2 * i + 5 * k);
       x[2] = flatness * (k + 0.2 * std::sin(4 * i + 7 * j));
     });
     const double g[3] = { 0.7, -1.3, 0.4 / flatness };
-    const CellGeometry geometry = buildGeometry(
+    const CellGeometry geometry = BuildGeometry(
       data, [&](const double x[3]) { return g[0] * x[0] + g[1] * x[1] + g[2] * x[2] + 5; });
     const double width = geometry.ScalarRange[1] - geometry.ScalarRange[0];
-    for (const auto& gradient : pointGradients(data, geometry, scalarsOf(geometry)))
+    for (const auto& gradient : PointGradients(data, geometry, ScalarsOf(geometry)))
     {
       for (std::size_t c = 0; c < 3; ++c)
       {
@@ -69,10 +69,10 @@ TEST(PointGradients, LinearFieldsAreReproduced)
 // The first and last meridian of a shell are the same places.
 TEST(PointGradients, ContinuousOverASeam)
 {
-  const auto data = makeShell(12, 6, 3, 60, 1, 1.3);
+  const auto data = MakeShell(12, 6, 3, 60, 1, 1.3);
   const CellGeometry geometry =
-    buildGeometry(data, [](const double x[3]) { return x[0] * x[0] + x[1] * x[2]; });
-  const Gradients gradients = pointGradients(data, geometry, scalarsOf(geometry));
+    BuildGeometry(data, [](const double x[3]) { return x[0] * x[0] + x[1] * x[2]; });
+  const Gradients gradients = PointGradients(data, geometry, ScalarsOf(geometry));
   int pairs = 0;
   for (std::size_t i = 0; i < geometry.Points.size(); ++i)
   {
@@ -91,34 +91,34 @@ TEST(PointGradients, ContinuousOverASeam)
 
 TEST(PointGradients, ThreadsDoNotChangeTheResult)
 {
-  const auto data = makeShell(40, 20, 10, 80, 1, 1.3);
+  const auto data = MakeShell(40, 20, 10, 80, 1, 1.3);
   const CellGeometry geometry =
-    buildGeometry(data, [](const double x[3]) { return std::sin(3 * x[0]) + x[1] * x[2]; });
-  const std::vector<float> scalars = scalarsOf(geometry);
+    BuildGeometry(data, [](const double x[3]) { return std::sin(3 * x[0]) + x[1] * x[2]; });
+  const std::vector<float> scalars = ScalarsOf(geometry);
   Gradients first;
-  withThreads(1, [&]() { first = pointGradients(data, geometry, scalars); });
+  WithThreads(1, [&]() { first = PointGradients(data, geometry, scalars); });
   for (const int threads : { 2, 3, 8 })
   {
     Gradients again;
-    withThreads(threads, [&]() { again = pointGradients(data, geometry, scalars); });
+    WithThreads(threads, [&]() { again = PointGradients(data, geometry, scalars); });
     EXPECT_EQ(first, again) << threads << " threads";
   }
 }
 
 TEST(PointGradients, NoNeighbourhood)
 {
-  auto data = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
+  auto data = MakeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
                          { { std::nan(""), 5, 5 } } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
   CellGeometry geometry =
-    buildGeometry(data, [](const double x[3]) { return std::isfinite(x[0]) ? x[0] : 0; });
-  Gradients gradients = pointGradients(data, geometry, scalarsOf(geometry));
+    BuildGeometry(data, [](const double x[3]) { return std::isfinite(x[0]) ? x[0] : 0; });
+  Gradients gradients = PointGradients(data, geometry, ScalarsOf(geometry));
   ASSERT_EQ(gradients.size(), 5u);
   EXPECT_NEAR(gradients[0][0], 1, 1e-6);
   EXPECT_NEAR(gradients[0][1], 0, 1e-6);
-  std::vector<float> missing = scalarsOf(geometry);
+  std::vector<float> missing = ScalarsOf(geometry);
   missing[1] = missing[2] = std::nanf("");
-  for (const auto& g : pointGradients(data, geometry, missing))
+  for (const auto& g : PointGradients(data, geometry, missing))
   {
     EXPECT_TRUE(std::isfinite(g[0]) && std::isfinite(g[1]) && std::isfinite(g[2]));
   }

@@ -31,7 +31,7 @@ struct View
 };
 
 /** Half of the views are perspective; then all vertices lie in front of the eye. */
-View randomView(Random& random, const TetrahedronPoints& p, bool perspective)
+View RandomView(Random& random, const TetrahedronPoints& p, bool perspective)
 {
   double nearest = p[0][2];
   for (const Vector3& x : p)
@@ -43,38 +43,38 @@ View randomView(Random& random, const TetrahedronPoints& p, bool perspective)
     : View{ { 0, 0, 1, 0 } };
 }
 
-double screenArea(const View& view, const Vector3& a, const Vector3& b, const Vector3& c)
+double ScreenArea(const View& view, const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const auto p = view.Screen(a), q = view.Screen(b), r = view.Screen(c);
   return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-int numberOfTriangles(const TetrahedronProjection& p)
+int NumberOfTriangles(const TetrahedronProjection& p)
 {
   int n = 0;
   for (const auto& edge : tetrahedronEdges)
   {
-    n += isFanEdge(p, edge[0], edge[1]);
+    n += IsFanEdge(p, edge[0], edge[1]);
   }
   return n;
 }
 
-Vector3 place(const TetrahedronPoints& p, const Vector4& weights)
+Vector3 PlaceAt(const TetrahedronPoints& p, const Vector4& weights)
 {
   Vector3 x = { { 0, 0, 0 } };
   for (std::size_t i = 0; i < 4; ++i)
   {
-    x = along(x, weights[i], p[i]);
+    x = Along(x, weights[i], p[i]);
   }
   return x;
 }
 
 /** Thickness as the header has it: the parameter times the way from the back to the eye. */
-double thickness(const View& view, const TetrahedronProjection& projection, const Vector3& back)
+double Thickness(const View& view, const TetrahedronProjection& projection, const Vector3& back)
 {
   const Vector3 towards = { { view.Eye[0] - view.Eye[3] * back[0],
     view.Eye[1] - view.Eye[3] * back[1], view.Eye[2] - view.Eye[3] * back[2] } };
-  return projection.Parameter * length(towards);
+  return projection.Parameter * Length(towards);
 }
 }
 
@@ -85,30 +85,30 @@ TEST(ProjectedTriangles, ThickVertexAgreesWithClippedRays)
   std::map<int, int> classes;
   for (int i = 0; i < 20000; ++i)
   {
-    const TetrahedronPoints p = randomTetrahedron(random);
-    const View view = randomView(random, p, i % 2 == 0);
+    const TetrahedronPoints p = RandomTetrahedron(random);
+    const View view = RandomView(random, p, i % 2 == 0);
     const Vector4 scalars = { { random.Normal(), random.Normal(), random.Normal(),
       random.Normal() } };
-    const TetrahedronProjection projection = projectTetrahedron(eyeCoordinates(p, view.Eye));
-    ++classes[projectionClass(projection)];
-    const Vector3 front = place(p, projection.Front), back = place(p, projection.Back);
+    const TetrahedronProjection projection = ProjectTetrahedron(EyeCoordinates(p, view.Eye));
+    ++classes[ProjectionClass(projection)];
+    const Vector3 front = PlaceAt(p, projection.Front), back = PlaceAt(p, projection.Back);
 
     const auto a = view.Screen(front), b = view.Screen(back);
     worstRay = std::max({ worstRay, std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]) });
 
-    const Vector3 middle = along(front, 0.5, difference(back, front));
+    const Vector3 middle = Along(front, 0.5, Difference(back, front));
     const Vector3 eye = { { view.Eye[0], view.Eye[1], view.Eye[2] } };
-    Vector3 direction = view.IsPerspective() ? difference(middle, eye) : Vector3{ { 0, 0, -1 } };
-    direction = along({ { 0, 0, 0 } }, 1 / length(direction), direction);
-    const ClippedRay ray = clip(p, middle, direction);
+    Vector3 direction = view.IsPerspective() ? Difference(middle, eye) : Vector3{ { 0, 0, -1 } };
+    direction = Along({ { 0, 0, 0 } }, 1 / Length(direction), direction);
+    const ClippedRay ray = Clip(p, middle, direction);
     worstThickness =
-      std::max(worstThickness, std::fabs(thickness(view, projection, back) - (ray.Far - ray.Near)));
+      std::max(worstThickness, std::fabs(Thickness(view, projection, back) - (ray.Far - ray.Near)));
     for (const bool atFront : { true, false })
     {
-      const Vector4 exact = barycentric(p, along(middle, atFront ? ray.Near : ray.Far, direction));
+      const Vector4 exact = Barycentric(p, Along(middle, atFront ? ray.Near : ray.Far, direction));
       const double error =
-        std::fabs(interpolate(atFront ? projection.Front : projection.Back, scalars) -
-          interpolate(exact, scalars));
+        std::fabs(Interpolate(atFront ? projection.Front : projection.Back, scalars) -
+          Interpolate(exact, scalars));
       worstScalar = std::max(worstScalar, error);
     }
   }
@@ -128,21 +128,21 @@ TEST(ProjectedTriangles, FanTilesTheSilhouette)
   double worst = 0;
   for (int i = 0; i < 5000; ++i)
   {
-    const TetrahedronPoints p = randomTetrahedron(random);
-    const View view = randomView(random, p, i % 2 == 0);
-    const TetrahedronProjection projection = projectTetrahedron(eyeCoordinates(p, view.Eye));
-    const Vector3 thick = place(p, projection.Front);
+    const TetrahedronPoints p = RandomTetrahedron(random);
+    const View view = RandomView(random, p, i % 2 == 0);
+    const TetrahedronProjection projection = ProjectTetrahedron(EyeCoordinates(p, view.Eye));
+    const Vector3 thick = PlaceAt(p, projection.Front);
     double fan = 0, faces = 0;
     for (const auto& edge : tetrahedronEdges)
     {
-      if (isFanEdge(projection, edge[0], edge[1]))
+      if (IsFanEdge(projection, edge[0], edge[1]))
       {
-        fan += std::fabs(screenArea(view, thick, p[edge[0]], p[edge[1]]));
+        fan += std::fabs(ScreenArea(view, thick, p[edge[0]], p[edge[1]]));
       }
     }
     for (const auto& face : tetrahedronFaces)
     {
-      faces += std::fabs(screenArea(view, p[face[0]], p[face[1]], p[face[2]]));
+      faces += std::fabs(ScreenArea(view, p[face[0]], p[face[1]], p[face[2]]));
     }
     worst = std::max(worst, std::fabs(fan - 0.5 * faces) / faces);
   }
@@ -152,7 +152,7 @@ TEST(ProjectedTriangles, FanTilesTheSilhouette)
 
 TEST(ProjectedTriangles, Classes)
 {
-  const auto classOf = [](const Vector4& q) { return projectionClass(projectTetrahedron(q)); };
+  const auto classOf = [](const Vector4& q) { return ProjectionClass(ProjectTetrahedron(q)); };
   EXPECT_EQ(classOf({ { 1, -1, -1, -1 } }), 1);
   EXPECT_EQ(classOf({ { 1, 1, -1, 1 } }), 1);
   EXPECT_EQ(classOf({ { 1, -1, 1, -1 } }), 2);
@@ -161,10 +161,10 @@ TEST(ProjectedTriangles, Classes)
   EXPECT_EQ(classOf({ { 0, 1, 0, -1 } }), 4);
   EXPECT_EQ(classOf({ { 0, 0, 0, 0 } }), 0);
   EXPECT_EQ(classOf({ { 1, 1, 0, 1 } }), 0) << "the eye inside";
-  EXPECT_EQ(numberOfTriangles(projectTetrahedron({ { 1, -1, -1, -1 } })), 3);
-  EXPECT_EQ(numberOfTriangles(projectTetrahedron({ { 1, -1, 1, -1 } })), 4);
-  EXPECT_EQ(numberOfTriangles(projectTetrahedron({ { 0, 1, 1, -1 } })), 2);
-  EXPECT_EQ(numberOfTriangles(projectTetrahedron({ { 0, 1, 0, -1 } })), 1);
+  EXPECT_EQ(NumberOfTriangles(ProjectTetrahedron({ { 1, -1, -1, -1 } })), 3);
+  EXPECT_EQ(NumberOfTriangles(ProjectTetrahedron({ { 1, -1, 1, -1 } })), 4);
+  EXPECT_EQ(NumberOfTriangles(ProjectTetrahedron({ { 0, 1, 1, -1 } })), 2);
+  EXPECT_EQ(NumberOfTriangles(ProjectTetrahedron({ { 0, 1, 0, -1 } })), 1);
 }
 
 TEST(ProjectedTriangles, KnownTetrahedra)
@@ -173,20 +173,21 @@ TEST(ProjectedTriangles, KnownTetrahedra)
   const Vector4 scalars = { { 0, 1, 2, 3 } };
   const TetrahedronPoints regular = { { { { 1, 1, 1 } }, { { 1, -1, -1 } }, { { -1, 1, -1 } },
     { { -1, -1, 1 } } } };
-  TetrahedronProjection p = projectTetrahedron(eyeCoordinates(regular, view.Eye));
-  EXPECT_EQ(projectionClass(p), 2);
-  EXPECT_NEAR(thickness(view, p, place(regular, p.Back)), 2.0, 1e-14);
-  EXPECT_NEAR(interpolate(p.Front, scalars), 1.5, 1e-14);
-  EXPECT_NEAR(interpolate(p.Back, scalars), 1.5, 1e-14);
-  EXPECT_NEAR(-std::expm1(-thickness(view, p, place(regular, p.Back))), 0.8646647167633873, 1e-14);
+  TetrahedronProjection p = ProjectTetrahedron(EyeCoordinates(regular, view.Eye));
+  EXPECT_EQ(ProjectionClass(p), 2);
+  EXPECT_NEAR(Thickness(view, p, PlaceAt(regular, p.Back)), 2.0, 1e-14);
+  EXPECT_NEAR(Interpolate(p.Front, scalars), 1.5, 1e-14);
+  EXPECT_NEAR(Interpolate(p.Back, scalars), 1.5, 1e-14);
+  EXPECT_NEAR(
+    -std::expm1(-Thickness(view, p, PlaceAt(regular, p.Back))), 0.8646647167633873, 1e-14);
 
   const TetrahedronPoints corner = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
     { { 0, 0, 1 } } } };
-  p = projectTetrahedron(eyeCoordinates(corner, view.Eye));
-  EXPECT_EQ(projectionClass(p), 4);
-  EXPECT_NEAR(thickness(view, p, place(corner, p.Back)), 1.0, 1e-14);
-  EXPECT_EQ(interpolate(p.Front, scalars), 3.0);
-  EXPECT_EQ(interpolate(p.Back, scalars), 0.0);
+  p = ProjectTetrahedron(EyeCoordinates(corner, view.Eye));
+  EXPECT_EQ(ProjectionClass(p), 4);
+  EXPECT_NEAR(Thickness(view, p, PlaceAt(corner, p.Back)), 1.0, 1e-14);
+  EXPECT_EQ(Interpolate(p.Front, scalars), 3.0);
+  EXPECT_EQ(Interpolate(p.Back, scalars), 0.0);
 }
 
 /** Continuous across classes: an almost hidden vertex changes the thickness by as little as it is off. */
@@ -197,9 +198,9 @@ TEST(ProjectedTriangles, ContinuousAcrossClasses)
   {
     const TetrahedronPoints p = { { { { off, 0.3, 1 } }, { { 0, 0, 0 } }, { { 0, 1, 0 } },
       { { 1, 0, -1 } } } };
-    const TetrahedronProjection projection = projectTetrahedron(eyeCoordinates(p, view.Eye));
+    const TetrahedronProjection projection = ProjectTetrahedron(EyeCoordinates(p, view.Eye));
     EXPECT_NEAR(
-      thickness(view, projection, place(p, projection.Back)), 1.0, 3 * std::fabs(off) + 1e-12)
+      Thickness(view, projection, PlaceAt(p, projection.Back)), 1.0, 3 * std::fabs(off) + 1e-12)
       << off;
   }
 }
@@ -211,15 +212,15 @@ TEST(ProjectedTriangles, InverseDepthIsLinearOnTheScreen)
   double worst = 0, worstLinear = 0;
   for (int i = 0; i < 5000; ++i)
   {
-    const TetrahedronPoints p = randomTetrahedron(random);
-    const View view = randomView(random, p, true);
-    const TetrahedronProjection projection = projectTetrahedron(eyeCoordinates(p, view.Eye));
-    const Vector3 front = place(p, projection.Front), back = place(p, projection.Back);
+    const TetrahedronPoints p = RandomTetrahedron(random);
+    const View view = RandomView(random, p, true);
+    const TetrahedronProjection projection = ProjectTetrahedron(EyeCoordinates(p, view.Eye));
+    const Vector3 front = PlaceAt(p, projection.Front), back = PlaceAt(p, projection.Back);
     const double zf = view.Depth(front), zb = view.Depth(back),
-                 peak = thickness(view, projection, back);
+                 peak = Thickness(view, projection, back);
     const int pick = random.Integer(0, 5);
     const int a = tetrahedronEdges[pick][0], b = tetrahedronEdges[pick][1];
-    if (!isFanEdge(projection, a, b))
+    if (!IsFanEdge(projection, a, b))
     {
       continue;
     }
@@ -232,9 +233,9 @@ TEST(ProjectedTriangles, InverseDepthIsLinearOnTheScreen)
         v * view.Screen(p[b])[axis];
     };
     Vector3 direction = { { screen(0), screen(1), -1 } };
-    const double stretch = length(direction);
-    direction = along({ { 0, 0, 0 } }, 1 / stretch, direction);
-    const ClippedRay ray = clip(p, { { view.Eye[0], view.Eye[1], view.Eye[2] } }, direction);
+    const double stretch = Length(direction);
+    direction = Along({ { 0, 0, 0 } }, 1 / stretch, direction);
+    const ClippedRay ray = Clip(p, { { view.Eye[0], view.Eye[1], view.Eye[2] } }, direction);
     const double exact = ray.Far - ray.Near;
     worst =
       std::max(worst, std::fabs((1 / inverseBack - 1 / inverseFront) * stretch - exact) / peak);
@@ -273,23 +274,23 @@ TEST(OpacityLaws, Table)
   const double sizes[][2] = { { 256, 8 }, { 1024, 8 }, { 256, 16 }, { 1024, 16 } };
   for (const auto& size : sizes)
   {
-    const auto table = makeOpacityTable(int(size[0]), size[1]);
+    const auto table = MakeOpacityTable(int(size[0]), size[1]);
     const double law = std::pow(size[1] / (size[0] - 1), 2) / 8;
     double largest = 0;
     for (int i = 0; i <= 100000; ++i)
     {
       const double u = size[1] * i / 100000;
-      largest = std::max(largest, std::fabs(lookUpOpacity(table, size[1], u) + std::expm1(-u)));
+      largest = std::max(largest, std::fabs(LookUpOpacity(table, size[1], u) + std::expm1(-u)));
     }
     std::cout << size[0] << " entries to " << size[1] << ": " << largest << ", law " << law
               << std::endl;
     EXPECT_LT(largest, law + 6e-8);
     EXPECT_GT(largest, 0.9 * law);
-    EXPECT_NEAR(lookUpOpacity(table, size[1], 1e6), 1 - std::exp(-size[1]), 6e-8)
+    EXPECT_NEAR(LookUpOpacity(table, size[1], 1e6), 1 - std::exp(-size[1]), 6e-8)
       << "beyond the end";
   }
-  const auto used = makeOpacityTable();
-  EXPECT_LT(std::fabs(lookUpOpacity(used, opacityTableEnd, 1.0) - 0.6321205588285577), 3.2e-5);
-  const auto small = makeOpacityTable(256, 8);
-  EXPECT_LT(std::fabs(lookUpOpacity(small, 8.0, 0.45868) + std::expm1(-0.45868)), 1.3e-4);
+  const auto used = MakeOpacityTable();
+  EXPECT_LT(std::fabs(LookUpOpacity(used, opacityTableEnd, 1.0) - 0.6321205588285577), 3.2e-5);
+  const auto small = MakeOpacityTable(256, 8);
+  EXPECT_LT(std::fabs(LookUpOpacity(small, 8.0, 0.45868) + std::expm1(-0.45868)), 1.3e-4);
 }

@@ -15,7 +15,7 @@ using namespace nephoscope_test;
 namespace
 {
 /** All signs, zeros included, with random magnitudes. */
-std::vector<Float4> eyeCoordinateGrid(Random& random)
+std::vector<Float4> EyeCoordinateGrid(Random& random)
 {
   std::vector<Float4> list;
   for (int code = 0; code < 81 * 50; ++code)
@@ -30,15 +30,15 @@ std::vector<Float4> eyeCoordinateGrid(Random& random)
   return list;
 }
 
-TetrahedronProjection projectInDouble(const Float4& q)
+TetrahedronProjection ProjectInDouble(const Float4& q)
 {
-  return projectTetrahedron({ { q[0], q[1], q[2], q[3] } });
+  return ProjectTetrahedron({ { q[0], q[1], q[2], q[3] } });
 }
 
-std::vector<Float4> evaluate(const std::vector<Float4>& q, const std::string& body)
+std::vector<Float4> Evaluate(const std::vector<Float4>& q, const std::string& body)
 {
   ShaderRunner runner;
-  return runner.Run(readShader("ProjectedTriangles.glsl"),
+  return runner.Run(ReadShader("ProjectedTriangles.glsl"),
     "TetrahedronProjection p = projectTetrahedron(first);\n  " + body, q, q,
     [](vtkShaderProgram*) {});
 }
@@ -47,12 +47,12 @@ std::vector<Float4> evaluate(const std::vector<Float4>& q, const std::string& bo
 TEST(ProjectedTrianglesShader, ThickVertex)
 {
   Random random(61);
-  const auto list = eyeCoordinateGrid(random);
-  const auto front = evaluate(list, "result = p.front;"), back = evaluate(list, "result = p.back;");
-  const auto parameter = evaluate(list, "result = vec4(p.parameter, 0.0, 0.0, 1.0);");
+  const auto list = EyeCoordinateGrid(random);
+  const auto front = Evaluate(list, "result = p.front;"), back = Evaluate(list, "result = p.back;");
+  const auto parameter = Evaluate(list, "result = vec4(p.parameter, 0.0, 0.0, 1.0);");
   for (std::size_t i = 0; i < list.size(); ++i)
   {
-    const TetrahedronProjection p = projectInDouble(list[i]);
+    const TetrahedronProjection p = ProjectInDouble(list[i]);
     if (p.Parameter == 0)
     {
       EXPECT_EQ(parameter[i][0], 0.0f);
@@ -70,18 +70,18 @@ TEST(ProjectedTrianglesShader, ThickVertex)
 TEST(ProjectedTrianglesShader, FanEdges)
 {
   Random random(62);
-  const auto list = eyeCoordinateGrid(random);
-  const auto first = evaluate(
+  const auto list = EyeCoordinateGrid(random);
+  const auto first = Evaluate(
     list, "result = vec4(isFanEdge(p, 0, 1), isFanEdge(p, 0, 2), isFanEdge(p, 0, 3), 1.0);");
-  const auto second = evaluate(
+  const auto second = Evaluate(
     list, "result = vec4(isFanEdge(p, 1, 2), isFanEdge(p, 1, 3), isFanEdge(p, 2, 3), 1.0);");
   for (std::size_t i = 0; i < list.size(); ++i)
   {
-    const TetrahedronProjection p = projectInDouble(list[i]);
+    const TetrahedronProjection p = ProjectInDouble(list[i]);
     for (std::size_t e = 0; e < 6; ++e)
     {
       const float got = e < 3 ? first[i][e] : second[i][e - 3];
-      EXPECT_EQ(got, isFanEdge(p, tetrahedronEdges[e][0], tetrahedronEdges[e][1]) ? 1.0f : 0.0f)
+      EXPECT_EQ(got, IsFanEdge(p, tetrahedronEdges[e][0], tetrahedronEdges[e][1]) ? 1.0f : 0.0f)
         << "edge " << e;
     }
   }
@@ -91,14 +91,14 @@ TEST(OpacityTableShader, LookUp)
 {
   Random random(63);
   ShaderRunner runner;
-  const std::vector<float> table = makeOpacityTable();
+  const std::vector<float> table = MakeOpacityTable();
   runner.AddBuffer("alphaTable", table, 1);
   std::vector<Float4> depths = { { { 0, 0, 0, 0 } }, { { 16, 0, 0, 0 } }, { { 1e30f, 0, 0, 0 } } };
   for (int i = 0; i < 4000; ++i)
   {
     depths.push_back({ { float(random.LogUniform(1e-6, 40)), 0, 0, 0 } });
   }
-  const auto results = runner.Run(readShader("OpacityTable.glsl"),
+  const auto results = runner.Run(ReadShader("OpacityTable.glsl"),
     "result = vec4(lookUpOpacity(first.x));", depths, depths, [](vtkShaderProgram* program) {
       program->SetUniformf("alphaTableEnd", float(opacityTableEnd));
       program->SetUniformi("alphaTableLast", opacityTableEntries - 1);
@@ -107,7 +107,7 @@ TEST(OpacityTableShader, LookUp)
   for (std::size_t i = 0; i < depths.size(); ++i)
   {
     const double u = depths[i][0];
-    EXPECT_NEAR(results[i][0], lookUpOpacity(table, opacityTableEnd, u), 1e-6) << u;
+    EXPECT_NEAR(results[i][0], LookUpOpacity(table, opacityTableEnd, u), 1e-6) << u;
     largest = std::max(largest, std::fabs(results[i][0] + std::expm1(-u)));
   }
   std::cout << "largest error of the table on the GPU " << largest << std::endl;

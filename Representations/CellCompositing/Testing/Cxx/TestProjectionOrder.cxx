@@ -21,14 +21,14 @@ using namespace nephoscope_test;
 
 namespace
 {
-Vector4 eyeAt(const CellGeometry& geometry, double x, double y, double z)
+Vector4 EyeAt(const CellGeometry& geometry, double x, double y, double z)
 {
   return { { x - geometry.Center[0], y - geometry.Center[1], z - geometry.Center[2], 1 } };
 }
 
 using Kind = ProjectionOrder::Kind;
 
-std::vector<std::int32_t> sorted(
+std::vector<std::int32_t> Sorted(
   Kind kind, const CellGeometry& geometry, const FaceNeighbors& neighbors, const Vector4& eye)
 {
   ProjectionOrder order;
@@ -39,7 +39,7 @@ std::vector<std::int32_t> sorted(
   return order.Tetrahedra;
 }
 
-std::size_t countInteriorFaces(const CellGeometry& geometry, const FaceNeighbors& neighbors)
+std::size_t CountInteriorFaces(const CellGeometry& geometry, const FaceNeighbors& neighbors)
 {
   std::size_t count = 0;
   for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
@@ -52,7 +52,7 @@ std::size_t countInteriorFaces(const CellGeometry& geometry, const FaceNeighbors
   return count / 2;
 }
 
-bool isPermutation(const std::vector<std::int32_t>& order, std::size_t n)
+bool IsPermutation(const std::vector<std::int32_t>& order, std::size_t n)
 {
   std::vector<std::int32_t> sorted = order;
   std::sort(sorted.begin(), sorted.end());
@@ -62,38 +62,38 @@ bool isPermutation(const std::vector<std::int32_t>& order, std::size_t n)
 }
 
 /** Sorts exactly and checks everything; returns the share of faces that centroids put in the wrong order. */
-double checkExactOrder(const CellGeometry& geometry, const std::vector<InteriorFace>& faces,
+double CheckExactOrder(const CellGeometry& geometry, const std::vector<InteriorFace>& faces,
   const FaceNeighbors& neighbors, const Vector4& eye)
 {
-  const std::vector<Relation> relations = findRelations(faces, eye);
-  std::vector<std::int32_t> order = sorted(Kind::Topological, geometry, neighbors, eye);
-  EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
-  EXPECT_EQ(countViolations(relations, order), 0);
-  order = sorted(Kind::Centroid, geometry, neighbors, eye);
-  EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
-  return double(countViolations(relations, order)) / double(faces.size());
+  const std::vector<Relation> relations = FindRelations(faces, eye);
+  std::vector<std::int32_t> order = Sorted(Kind::Topological, geometry, neighbors, eye);
+  EXPECT_TRUE(IsPermutation(order, geometry.Tetrahedra.size()));
+  EXPECT_EQ(CountViolations(relations, order), 0);
+  order = Sorted(Kind::Centroid, geometry, neighbors, eye);
+  EXPECT_TRUE(IsPermutation(order, geometry.Tetrahedra.size()));
+  return double(CountViolations(relations, order)) / double(faces.size());
 }
 
-void checkManyEyes(vtkDataSet* data, Random& random, double size, int eyes)
+void CheckManyEyes(vtkDataSet* data, Random& random, double size, int eyes)
 {
-  const CellGeometry geometry = buildGeometry(data);
+  const CellGeometry geometry = BuildGeometry(data);
   FaceNeighbors neighbors;
   neighbors.Connect(geometry);
-  const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
-  EXPECT_EQ(countInteriorFaces(geometry, neighbors), faces.size());
+  const std::vector<InteriorFace> faces = FindInteriorFaces(geometry);
+  EXPECT_EQ(CountInteriorFaces(geometry, neighbors), faces.size());
   for (int i = 0; i < eyes; ++i)
   {
     const Vector3 d = random.Direction();
     const double distance = size * (i % 4 == 0 ? 0.3 : random.LogUniform(1, 50)); // inside too
-    checkExactOrder(
+    CheckExactOrder(
       geometry, faces, neighbors, { { distance * d[0], distance * d[1], distance * d[2], 1 } });
-    checkExactOrder(geometry, faces, neighbors, { { d[0], d[1], d[2], 0 } });
+    CheckExactOrder(geometry, faces, neighbors, { { d[0], d[1], d[2], 0 } });
   }
 }
 
-vtkSmartPointer<vtkStructuredGrid> makeWarpedLattice(Random& random, int n, double amplitude)
+vtkSmartPointer<vtkStructuredGrid> MakeWarpedLattice(Random& random, int n, double amplitude)
 {
-  return makeStructuredGrid(n, n, n, [&](double i, double j, double k, double x[3]) {
+  return MakeStructuredGrid(n, n, n, [&](double i, double j, double k, double x[3]) {
     const double ijk[3] = { i, j, k };
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -103,27 +103,27 @@ vtkSmartPointer<vtkStructuredGrid> makeWarpedLattice(Random& random, int n, doub
   });
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> permuteCells(
+vtkSmartPointer<vtkUnstructuredGrid> PermuteCells(
   Random& random, const CellGeometry& geometry, std::vector<std::int32_t>& from)
 {
   from.resize(geometry.Tetrahedra.size());
   std::iota(from.begin(), from.end(), 0);
   std::shuffle(from.begin(), from.end(), random.GetEngine());
-  return pickTetrahedra(geometry, from, [](std::int32_t) { return true; });
+  return PickTetrahedra(geometry, from, [](std::int32_t) { return true; });
 }
 
 /** Length of the ray origin + t direction, t > 0, inside a tetrahedron. */
-double crossedLength(
+double CrossedLength(
   const std::array<Vector3, 4>& p, const Vector3& origin, const Vector3& direction)
 {
   double near = 0, far = 1e300;
   for (std::size_t i = 0; i < 4; ++i)
   {
     const Vector3 face[3] = { p[(i + 1) % 4], p[(i + 2) % 4], p[(i + 3) % 4] };
-    const long double inside = orient(face, { { p[i][0], p[i][1], p[i][2], 1 } });
-    const long double start = orient(face, { { origin[0], origin[1], origin[2], 1 } }) / inside;
+    const long double inside = Orient(face, { { p[i][0], p[i][1], p[i][2], 1 } });
+    const long double start = Orient(face, { { origin[0], origin[1], origin[2], 1 } }) / inside;
     const long double speed =
-      orient(face, { { direction[0], direction[1], direction[2], 0 } }) / inside;
+      Orient(face, { { direction[0], direction[1], direction[2], 0 } }) / inside;
     if (speed > 0)
     {
       near = std::max(near, double(-start / speed));
@@ -141,14 +141,14 @@ double crossedLength(
 }
 
 /** Colour of a ray when each tetrahedron has the random colour of its number in the unpermuted mesh. */
-double compositeRay(const CellGeometry& geometry, const std::vector<std::int32_t>& order,
+double CompositeRay(const CellGeometry& geometry, const std::vector<std::int32_t>& order,
   const std::vector<std::int32_t>& from, const std::vector<double>& colors, const Vector3& origin,
   const Vector3& direction)
 {
   double color = 0;
   for (const std::int32_t i : order)
   {
-    const double length = crossedLength(geometry.Vertices(std::size_t(i)), origin, direction);
+    const double length = CrossedLength(geometry.Vertices(std::size_t(i)), origin, direction);
     const double alpha = -std::expm1(-3 * length);
     color = (1 - alpha) * color + alpha * colors[std::size_t(from[std::size_t(i)])];
   }
@@ -156,7 +156,7 @@ double compositeRay(const CellGeometry& geometry, const std::vector<std::int32_t
 }
 
 /** Hexahedra of no grid, which are divided into six tetrahedra rather than five. */
-vtkSmartPointer<vtkUnstructuredGrid> asUnstructured(vtkDataSet* data)
+vtkSmartPointer<vtkUnstructuredGrid> AsUnstructured(vtkDataSet* data)
 {
   vtkNew<vtkAppendFilter> append;
   append->AddInputData(data);
@@ -175,38 +175,38 @@ TEST(ProjectionOrder, HexahedraAreDividedAsInAGrid)
     std::sort(tetrahedra.begin(), tetrahedra.end());
     return tetrahedra;
   };
-  auto grid = makeShell(24, 12, 3, 80, 1, 1.3);
-  const auto ofGrid = sorted(buildGeometry(grid).Tetrahedra.Copy());
+  auto grid = MakeShell(24, 12, 3, 80, 1, 1.3);
+  const auto ofGrid = sorted(BuildGeometry(grid).Tetrahedra.Copy());
   EXPECT_EQ(ofGrid.size(), 24u * 12 * 3 * 5);
-  EXPECT_EQ(sorted(buildGeometry(asUnstructured(grid)).Tetrahedra.Copy()), ofGrid);
+  EXPECT_EQ(sorted(BuildGeometry(AsUnstructured(grid)).Tetrahedra.Copy()), ofGrid);
 }
 
 TEST(ProjectionOrder, Shell)
 {
-  const CellGeometry geometry = buildGeometry(asUnstructured(makeShell(24, 12, 3, 80, 1, 1.3)));
+  const CellGeometry geometry = BuildGeometry(AsUnstructured(MakeShell(24, 12, 3, 80, 1, 1.3)));
   FaceNeighbors neighbors;
   EXPECT_FALSE(neighbors.IsConnected());
   neighbors.Connect(geometry);
   EXPECT_TRUE(neighbors.IsConnected());
   EXPECT_EQ(geometry.Tetrahedra.size(), 4320u);
-  EXPECT_EQ(countInteriorFaces(geometry, neighbors), 7920u);
-  const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
+  EXPECT_EQ(CountInteriorFaces(geometry, neighbors), 7920u);
+  const std::vector<InteriorFace> faces = FindInteriorFaces(geometry);
   EXPECT_EQ(faces.size(), 7920u);
   const double centroids =
-    checkExactOrder(geometry, faces, neighbors, eyeAt(geometry, 3.2, 0.9, 1.1));
+    CheckExactOrder(geometry, faces, neighbors, EyeAt(geometry, 3.2, 0.9, 1.1));
   std::cout << "faces in the wrong order with centroids: " << 100 * centroids << " %" << std::endl;
   EXPECT_GT(centroids, 0.05);
 }
 
 TEST(ProjectionOrder, ThinShell)
 {
-  const CellGeometry geometry = buildGeometry(asUnstructured(makeShell(36, 18, 6, 80, 1, 1.06)));
+  const CellGeometry geometry = BuildGeometry(AsUnstructured(MakeShell(36, 18, 6, 80, 1, 1.06)));
   FaceNeighbors neighbors;
   neighbors.Connect(geometry);
   EXPECT_EQ(geometry.Tetrahedra.size(), 19440u);
-  const std::vector<InteriorFace> faces = findInteriorFaces(geometry);
+  const std::vector<InteriorFace> faces = FindInteriorFaces(geometry);
   const double centroids =
-    checkExactOrder(geometry, faces, neighbors, eyeAt(geometry, 3.2, 0.9, 1.1));
+    CheckExactOrder(geometry, faces, neighbors, EyeAt(geometry, 3.2, 0.9, 1.1));
   std::cout << "faces in the wrong order with centroids: " << 100 * centroids << " %" << std::endl;
   EXPECT_GT(centroids, 0.05);
 }
@@ -215,12 +215,12 @@ TEST(ProjectionOrder, ThinShell)
 TEST(ProjectionOrder, WarpedLattice)
 {
   Random random(51);
-  const auto structured = makeWarpedLattice(random, 8, 0.06);
-  checkManyEyes(structured, random, 1, 6);
+  const auto structured = MakeWarpedLattice(random, 8, 0.06);
+  CheckManyEyes(structured, random, 1, 6);
   vtkNew<vtkAppendFilter> unstructured;
   unstructured->AddInputData(structured);
   unstructured->Update();
-  checkManyEyes(unstructured->GetOutput(), random, 1, 6);
+  CheckManyEyes(unstructured->GetOutput(), random, 1, 6);
 }
 
 TEST(ProjectionOrder, Delaunay)
@@ -228,7 +228,7 @@ TEST(ProjectionOrder, Delaunay)
   Random random(52);
   for (int i = 0; i < 3; ++i)
   {
-    checkManyEyes(makeDelaunay(random, 300), random, 1, 6);
+    CheckManyEyes(MakeDelaunay(random, 300), random, 1, 6);
   }
 }
 
@@ -239,37 +239,37 @@ TEST(ProjectionOrder, RepeatedPointsOfBlocksAreJoined)
   for (int block = 0; block < 2; ++block)
   {
     append->AddInputData(
-      makeStructuredGrid(2, 4, 4, [&](double i, double j, double k, double x[3]) {
+      MakeStructuredGrid(2, 4, 4, [&](double i, double j, double k, double x[3]) {
         x[0] = i + 2 * block;
         x[1] = j;
         x[2] = k;
       }));
   }
   append->Update();
-  const CellGeometry geometry = buildGeometry(append->GetOutput());
-  const CellGeometry whole = buildGeometry(asUnstructured(makeLattice(4)));
+  const CellGeometry geometry = BuildGeometry(append->GetOutput());
+  const CellGeometry whole = BuildGeometry(AsUnstructured(MakeLattice(4)));
   ASSERT_GT(geometry.Points.size(), whole.Points.size());
   FaceNeighbors joined, single;
   joined.Connect(geometry);
   single.Connect(whole);
-  EXPECT_EQ(countInteriorFaces(geometry, joined), countInteriorFaces(whole, single));
-  checkExactOrder(geometry, findInteriorFaces(geometry), joined, eyeAt(geometry, 10, 3, 1));
+  EXPECT_EQ(CountInteriorFaces(geometry, joined), CountInteriorFaces(whole, single));
+  CheckExactOrder(geometry, FindInteriorFaces(geometry), joined, EyeAt(geometry, 10, 3, 1));
 }
 
 TEST(ProjectionOrder, ThreadsDoNotChangeTheOrder)
 {
-  const CellGeometry geometry = buildGeometry(makeShell(24, 12, 3, 90, 1, 1.3));
-  const Vector4 eye = eyeAt(geometry, 3.2, 0.9, 1.1);
+  const CellGeometry geometry = BuildGeometry(MakeShell(24, 12, 3, 90, 1, 1.3));
+  const Vector4 eye = EyeAt(geometry, 3.2, 0.9, 1.1);
   std::vector<std::int32_t> exact, centroids;
   for (const int threads : { 1, 2, 4 })
   {
-    withThreads(threads, [&]() {
+    WithThreads(threads, [&]() {
       FaceNeighbors neighbors;
       neighbors.Connect(geometry);
-      std::vector<std::int32_t> order = sorted(Kind::Topological, geometry, neighbors, eye);
+      std::vector<std::int32_t> order = Sorted(Kind::Topological, geometry, neighbors, eye);
       exact = exact.empty() ? order : exact;
       EXPECT_EQ(order, exact);
-      order = sorted(Kind::Centroid, geometry, neighbors, eye);
+      order = Sorted(Kind::Centroid, geometry, neighbors, eye);
       centroids = centroids.empty() ? order : centroids;
       EXPECT_EQ(order, centroids);
     });
@@ -279,10 +279,10 @@ TEST(ProjectionOrder, ThreadsDoNotChangeTheOrder)
 TEST(ProjectionOrder, PermutedCellsGiveTheSamePicture)
 {
   Random random(53);
-  const CellGeometry geometry = buildGeometry(makeWarpedLattice(random, 4, 0.06));
+  const CellGeometry geometry = BuildGeometry(MakeWarpedLattice(random, 4, 0.06));
   std::vector<std::int32_t> identity(geometry.Tetrahedra.size()), from;
   std::iota(identity.begin(), identity.end(), 0);
-  const CellGeometry permuted = buildGeometry(permuteCells(random, geometry, from));
+  const CellGeometry permuted = BuildGeometry(PermuteCells(random, geometry, from));
   std::vector<double> colors;
   std::generate_n(std::back_inserter(colors), identity.size(), [&]() { return random.Uniform(); });
 
@@ -291,17 +291,17 @@ TEST(ProjectionOrder, PermutedCellsGiveTheSamePicture)
   first.Connect(geometry);
   second.Connect(permuted);
   const std::vector<std::int32_t> order =
-    sorted(Kind::Topological, geometry, first, { { eye[0], eye[1], eye[2], 1 } });
+    Sorted(Kind::Topological, geometry, first, { { eye[0], eye[1], eye[2], 1 } });
   const std::vector<std::int32_t> permutedOrder =
-    sorted(Kind::Topological, permuted, second, { { eye[0], eye[1], eye[2], 1 } });
+    Sorted(Kind::Topological, permuted, second, { { eye[0], eye[1], eye[2], 1 } });
   double greatest = 0;
   for (int i = 0; i < 500; ++i)
   {
     const Vector3 target = { { random.Uniform(-0.5, 0.5), random.Uniform(-0.5, 0.5),
       random.Uniform(-0.5, 0.5) } };
-    const Vector3 direction = difference(target, eye);
-    const double color = compositeRay(geometry, order, identity, colors, eye, direction);
-    ASSERT_NEAR(compositeRay(permuted, permutedOrder, from, colors, eye, direction), color, 1e-12);
+    const Vector3 direction = Difference(target, eye);
+    const double color = CompositeRay(geometry, order, identity, colors, eye, direction);
+    ASSERT_NEAR(CompositeRay(permuted, permutedOrder, from, colors, eye, direction), color, 1e-12);
     greatest = std::max(greatest, color);
   }
   EXPECT_GT(greatest, 0.3);
@@ -309,27 +309,27 @@ TEST(ProjectionOrder, PermutedCellsGiveTheSamePicture)
 
 TEST(ProjectionOrder, CentroidsFarthestFirst)
 {
-  const CellGeometry geometry = buildGeometry(makeLattice(3));
+  const CellGeometry geometry = BuildGeometry(MakeLattice(3));
   const auto centroid = [&](std::int32_t i) {
     const auto p = geometry.Vertices(std::size_t(i));
     return Vector3{ { (p[0][0] + p[1][0] + p[2][0] + p[3][0]) / 4,
       (p[0][1] + p[1][1] + p[2][1] + p[3][1]) / 4, (p[0][2] + p[1][2] + p[2][2] + p[3][2]) / 4 } };
   };
-  std::vector<std::int32_t> order = sorted(Kind::Centroid, geometry, {}, { { 5, 4, 3, 1 } });
+  std::vector<std::int32_t> order = Sorted(Kind::Centroid, geometry, {}, { { 5, 4, 3, 1 } });
   for (std::size_t i = 1; i < order.size(); ++i)
   {
-    const Vector3 far = difference(centroid(order[i - 1]), { { 5, 4, 3 } });
-    const Vector3 near = difference(centroid(order[i]), { { 5, 4, 3 } });
-    ASSERT_GE(dot(far, far), dot(near, near) - 1e-5);
+    const Vector3 far = Difference(centroid(order[i - 1]), { { 5, 4, 3 } });
+    const Vector3 near = Difference(centroid(order[i]), { { 5, 4, 3 } });
+    ASSERT_GE(Dot(far, far), Dot(near, near) - 1e-5);
   }
-  order = sorted(Kind::Centroid, geometry, {}, { { 5, 4, 3, 0 } });
+  order = Sorted(Kind::Centroid, geometry, {}, { { 5, 4, 3, 0 } });
   for (std::size_t i = 1; i < order.size(); ++i)
   {
-    ASSERT_LE(dot(centroid(order[i - 1]), { { 5, 4, 3 } }),
-      dot(centroid(order[i]), { { 5, 4, 3 } }) + 1e-5);
+    ASSERT_LE(Dot(centroid(order[i - 1]), { { 5, 4, 3 } }),
+      Dot(centroid(order[i]), { { 5, 4, 3 } }) + 1e-5);
   }
-  order = sorted(Kind::None, geometry, {}, { { 5, 4, 3, 0 } });
-  EXPECT_TRUE(isPermutation(order, geometry.Tetrahedra.size()));
+  order = Sorted(Kind::None, geometry, {}, { { 5, 4, 3, 0 } });
+  EXPECT_TRUE(IsPermutation(order, geometry.Tetrahedra.size()));
   EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
 }
 
@@ -338,45 +338,45 @@ TEST(ProjectionOrder, NothingAndOneTetrahedron)
   CellGeometry geometry;
   FaceNeighbors neighbors;
   neighbors.Connect(geometry);
-  EXPECT_TRUE(sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 1, 0 } }).empty());
+  EXPECT_TRUE(Sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 1, 0 } }).empty());
   geometry =
-    buildGeometry(makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
+    BuildGeometry(MakeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } },
       { { VTK_TETRA, { 0, 1, 2, 3 } } }));
   neighbors.Connect(geometry);
-  EXPECT_EQ(sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 1, 0 } }),
+  EXPECT_EQ(Sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 1, 0 } }),
     std::vector<std::int32_t>{ 0 });
 }
 
 // Three and more tetrahedra at one face, and points that are not numbers, must do no harm.
 TEST(ProjectionOrder, OverlappingCellsAndInvalidPoints)
 {
-  auto grid = makeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
+  auto grid = MakeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } },
                          { { 0, 0, -1 } }, { { 0.1, 0.1, 2 } }, { { std::nan(""), 0, 0 } } },
     { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_TETRA, { 0, 1, 2, 5 } },
       { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 6 } } });
-  const CellGeometry geometry = buildGeometry(grid);
+  const CellGeometry geometry = BuildGeometry(grid);
   ASSERT_EQ(geometry.Tetrahedra.size(), 4u);
   FaceNeighbors neighbors;
   neighbors.Connect(geometry);
-  EXPECT_TRUE(isPermutation(sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 5, 1 } }), 4));
+  EXPECT_TRUE(IsPermutation(Sorted(Kind::Topological, geometry, neighbors, { { 0, 0, 5, 1 } }), 4));
 }
 
 // All members of a cycle are drawn, and as many relations are wrong as it is said.
 TEST(ProjectionOrder, CyclesAreCounted)
 {
-  const CellGeometry geometry = buildGeometry(makeLeaningRing(12));
+  const CellGeometry geometry = BuildGeometry(MakeLeaningRing(12));
   FaceNeighbors neighbors;
   neighbors.Connect(geometry);
-  const Vector4 above = eyeAt(geometry, 0.1, 0.05, 9), aside = eyeAt(geometry, 9, 1, 0.5);
-  const std::vector<Relation> relations = findRelations(findInteriorFaces(geometry), above);
+  const Vector4 above = EyeAt(geometry, 0.1, 0.05, 9), aside = EyeAt(geometry, 9, 1, 0.5);
+  const std::vector<Relation> relations = FindRelations(FindInteriorFaces(geometry), above);
   ProjectionOrder order;
   EXPECT_TRUE(order.Sort(Kind::Topological, geometry, neighbors, above));
   EXPECT_EQ(order.NumberOfCycles, 1);
   EXPECT_GE(order.NumberOfCyclicTetrahedra, 12);
   EXPECT_LE(order.NumberOfCyclicTetrahedra,
-    std::int64_t(countUnsortable(relations, geometry.Tetrahedra.size())));
+    std::int64_t(CountUnsortable(relations, geometry.Tetrahedra.size())));
   EXPECT_GT(order.NumberOfBrokenRelations, 0);
-  EXPECT_EQ(order.NumberOfBrokenRelations, countViolations(relations, order.Tetrahedra));
-  EXPECT_TRUE(isPermutation(order.Tetrahedra, geometry.Tetrahedra.size()));
-  sorted(Kind::Topological, geometry, neighbors, aside);
+  EXPECT_EQ(order.NumberOfBrokenRelations, CountViolations(relations, order.Tetrahedra));
+  EXPECT_TRUE(IsPermutation(order.Tetrahedra, geometry.Tetrahedra.size()));
+  Sorted(Kind::Topological, geometry, neighbors, aside);
 }

@@ -22,10 +22,10 @@ using namespace nephoscope_test;
 
 namespace
 {
-vtkDataArray* addCellValues(vtkDataSet* data, double step)
+vtkDataArray* AddCellValues(vtkDataSet* data, double step)
 {
   vtkDataArray* array =
-    addScalars(data, true, [=](vtkIdType i) { return std::fmod(0.3 + step * double(i), 1.0); });
+    AddScalars(data, true, [=](vtkIdType i) { return std::fmod(0.3 + step * double(i), 1.0); });
   return array;
 }
 
@@ -97,7 +97,7 @@ protected:
   }
 
   vtkSmartPointer<vtkUnstructuredGrid> Data =
-    makeCubeWithout(4, [](int i, int j, int k) { return i == 1 && j == 2 && k == 0; });
+    MakeCubeWithout(4, [](int i, int j, int k) { return i == 1 && j == 2 && k == 0; });
   vtkNew<vtkPiecewiseFunction> Opacity;
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkVolumeProperty> Property;
@@ -109,10 +109,10 @@ protected:
 
 TEST_F(SceneOfPuffs, OpacityOfCellsMovesNothingElse)
 {
-  const ScalarSelection colors = { addPointNumbers(this->Data), false, -1 };
+  const ScalarSelection colors = { AddPointNumbers(this->Data), false, -1 };
   for (const auto method : { CellScene::Method::Projection, CellScene::Method::Rays })
   {
-    vtkDataArray* density = addCellValues(this->Data, 0.17);
+    vtkDataArray* density = AddCellValues(this->Data, 0.17);
     const CellScene::Versions first =
       this->Update(this->Scene, colors, { density, true, -1 }, method);
     density->SetComponent(5, 0, 0.9);
@@ -129,7 +129,7 @@ TEST_F(SceneOfPuffs, OpacityOfCellsMovesNothingElse)
     this->ExpectAsNew(colors, { density, true, -1 }, method);
 
     // Another array, with another range, in another dataset, as a filter gives it.
-    vtkDataArray* moved = addCellValues(this->Data, 0.31);
+    vtkDataArray* moved = AddCellValues(this->Data, 0.31);
     moved->SetComponent(0, 0, 1.7);
     this->Data->Modified();
     const CellScene::Versions third =
@@ -151,8 +151,8 @@ TEST_F(SceneOfPuffs, OpacityOfCellsMovesNothingElse)
 
 TEST_F(SceneOfPuffs, SelectionsThatChangeSides)
 {
-  vtkDataArray* ofPoints = addPointNumbers(this->Data);
-  vtkDataArray* ofCells = addCellValues(this->Data, 0.17);
+  vtkDataArray* ofPoints = AddPointNumbers(this->Data);
+  vtkDataArray* ofCells = AddCellValues(this->Data, 0.17);
   const ScalarSelection choices[] = { { ofPoints, false, -1 }, { ofCells, true, -1 }, {} };
   this->Update(this->Scene, choices[0], choices[1]);
   const std::int64_t geometry = this->Scene.GetVersions().Geometry;
@@ -169,8 +169,8 @@ TEST_F(SceneOfPuffs, SelectionsThatChangeSides)
 
 TEST_F(SceneOfPuffs, MissingValuesMakeTheGeometryAgain)
 {
-  vtkDataArray* density = addCellValues(this->Data, 0.17);
-  const ScalarSelection colors = { addPointNumbers(this->Data), false, -1 };
+  vtkDataArray* density = AddCellValues(this->Data, 0.17);
+  const ScalarSelection colors = { AddPointNumbers(this->Data), false, -1 };
   this->Update(this->Scene, colors, { density, true, -1 });
   const std::size_t whole = this->Scene.GetGeometry().Tetrahedra.size();
   density->SetComponent(3, 0, std::numeric_limits<double>::quiet_NaN());
@@ -194,7 +194,7 @@ TEST_F(SceneOfPuffs, ValuesOfCoincidentPoints)
   blocks.AddBox(2, 2, 2, { { 1, 0, 0 } }, { { 2, 1, 1 } });
   this->Data = blocks.Get();
   vtkDataArray* height =
-    addScalars(this->Data, false, [&](vtkIdType i) { return this->Data->GetPoint(i)[2]; });
+    AddScalars(this->Data, false, [&](vtkIdType i) { return this->Data->GetPoint(i)[2]; });
   const ScalarSelection colors = { height, false, -1 };
   const CellScene::Versions first = this->Update(this->Scene, colors, {}, CellScene::Method::Rays);
   height->SetComponent(2, 0, 5); // now two places have two values each
@@ -205,7 +205,7 @@ TEST_F(SceneOfPuffs, ValuesOfCoincidentPoints)
   EXPECT_NE(first.Topology, second.Topology);
   this->ExpectAsNew(colors, {}, CellScene::Method::Rays);
   // Values of cells do not matter to them.
-  const ScalarSelection density = { addCellValues(this->Data, 0.2), true, -1 };
+  const ScalarSelection density = { AddCellValues(this->Data, 0.2), true, -1 };
   const CellScene::Versions third =
     this->Update(this->Scene, colors, density, CellScene::Method::Rays);
   EXPECT_EQ(second.Topology, third.Topology);
@@ -214,7 +214,7 @@ TEST_F(SceneOfPuffs, ValuesOfCoincidentPoints)
 
 TEST_F(SceneOfPuffs, WithoutAnOrderTheEyeMovesNothing)
 {
-  const ScalarSelection colors = { addCellValues(this->Data, 0.17), true, -1 };
+  const ScalarSelection colors = { AddCellValues(this->Data, 0.17), true, -1 };
   const CellScene::Versions first = this->Update(
     this->Scene, colors, {}, CellScene::Method::Projection, ProjectionOrder::Kind::None);
   EXPECT_TRUE(this->Scene.UpdateOrder(ProjectionOrder::Kind::None, { { -3, 2, 1, 1 } }));
@@ -225,7 +225,7 @@ TEST_F(SceneOfPuffs, WithoutAnOrderTheEyeMovesNothing)
 
 TEST_F(SceneOfPuffs, OneColourFollowsFunctionAndRange)
 {
-  vtkDataArray* values = addCellValues(this->Data, 0.17);
+  vtkDataArray* values = AddCellValues(this->Data, 0.17);
   this->Update(this->Scene, { values, true, -1 }, {});
   EXPECT_FALSE(this->Scene.HasOneColor());
   values->Fill(0.6);
@@ -243,7 +243,7 @@ TEST_F(SceneOfPuffs, OneColourFollowsFunctionAndRange)
 
 TEST_F(SceneOfPuffs, TheMethodMayChange)
 {
-  const ScalarSelection colors = { addCellValues(this->Data, 0.17), true, -1 };
+  const ScalarSelection colors = { AddCellValues(this->Data, 0.17), true, -1 };
   const CellScene::Versions first = this->Update(this->Scene, colors, {});
   const std::vector<std::int32_t> drawn = this->Scene.GetDrawn();
   const CellScene::Versions second = this->Update(this->Scene, colors, {}, CellScene::Method::Rays);
@@ -258,7 +258,7 @@ TEST_F(SceneOfPuffs, TheMethodMayChange)
 
 TEST_F(SceneOfPuffs, WhatWasUploadedIsMadeAgainOnRequest)
 {
-  const ScalarSelection colors = { addCellValues(this->Data, 0.17), true, -1 };
+  const ScalarSelection colors = { AddCellValues(this->Data, 0.17), true, -1 };
   const auto rays = CellScene::Method::Rays;
   const CellScene::Versions first = this->Update(this->Scene, colors, {}, rays);
   this->Scene.ReleaseUploaded();

@@ -27,9 +27,9 @@ constexpr int longitudes = 24, latitudes = 12, levels = 3;
 
 /** A globe from pole to pole and around, its first and last longitude at one place but for the rounding of `Real`. */
 template <typename Real>
-vtkSmartPointer<vtkUnstructuredGrid> globe(bool asTetrahedra)
+vtkSmartPointer<vtkUnstructuredGrid> MakeGlobe(bool asTetrahedra)
 {
-  auto grid = makeStructuredGrid(
+  auto grid = MakeStructuredGrid(
     longitudes, latitudes, levels, [](double i, double j, double k, double x[3]) {
       const Real pi = static_cast<Real>(std::acos(-1.0));
       const Real longitude = 2 * pi * Real(i) / longitudes,
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkUnstructuredGrid> globe(bool asTetrahedra)
 }
 
 /** Geometry with values that depend on the place only, or those given. */
-CellGeometry geometryOf(
+CellGeometry GeometryOf(
   vtkDataSet* data, const std::function<double(vtkIdType, const double*)>& value)
 {
   vtkNew<vtkDoubleArray> values;
@@ -68,7 +68,7 @@ CellGeometry geometryOf(
   return geometry;
 }
 
-TetrahedronNeighbors neighborsOf(const CellGeometry& geometry)
+TetrahedronNeighbors NeighborsOf(const CellGeometry& geometry)
 {
   FaceNeighbors connected;
   EXPECT_TRUE(connected.Connect(geometry));
@@ -77,7 +77,7 @@ TetrahedronNeighbors neighborsOf(const CellGeometry& geometry)
   return neighbors;
 }
 
-std::size_t countMerged(const TetrahedronNeighbors& neighbors, std::int64_t points)
+std::size_t CountMerged(const TetrahedronNeighbors& neighbors, std::int64_t points)
 {
   std::set<std::int32_t> merged;
   for (std::int64_t i = 0; i < points; ++i)
@@ -87,18 +87,18 @@ std::size_t countMerged(const TetrahedronNeighbors& neighbors, std::int64_t poin
   return merged.size();
 }
 
-std::size_t numberOfEntries(const TetrahedronNeighbors& neighbors)
+std::size_t NumberOfEntries(const TetrahedronNeighbors& neighbors)
 {
   return neighbors.BoundaryFaces.size() - neighbors.NumberOfJumps;
 }
 
-double same(vtkIdType, const double*)
+double Same(vtkIdType, const double*)
 {
   return 1;
 }
 
 /** Two boxes of 2 x 2 x 2 cells with points of their own, the second one beyond the plane x = 1 by `gap`. */
-vtkSmartPointer<vtkUnstructuredGrid> twoBoxes(double gap, double scale = 1)
+vtkSmartPointer<vtkUnstructuredGrid> TwoBoxes(double gap, double scale = 1)
 {
   BlockMesh mesh;
   const int n[3] = { 2, 2, 2 };
@@ -126,9 +126,9 @@ TEST(TetrahedronNeighbors, AGlobeIsEnteredFromAboveAndBelowAlone)
     {
       SCOPED_TRACE(testing::Message()
         << (asTetrahedra ? "tetrahedra" : "hexahedra") << (inFloat ? " in float" : " in double"));
-      const auto data = inFloat ? globe<float>(asTetrahedra) : globe<double>(asTetrahedra);
-      const TetrahedronNeighbors neighbors = neighborsOf(geometryOf(data, same));
-      EXPECT_EQ(numberOfEntries(neighbors), 2 * sphere);
+      const auto data = inFloat ? MakeGlobe<float>(asTetrahedra) : MakeGlobe<double>(asTetrahedra);
+      const TetrahedronNeighbors neighbors = NeighborsOf(GeometryOf(data, Same));
+      EXPECT_EQ(NumberOfEntries(neighbors), 2 * sphere);
       EXPECT_EQ(neighbors.NumberOfJumps, 0u);
     }
   }
@@ -139,9 +139,9 @@ TEST(TetrahedronNeighbors, PointsWithinRoundingAreOnePlace)
   const double unit = std::numeric_limits<float>::epsilon();
   for (const double scale : { 1e-3, 1.0, 6.4e6 })
   {
-    EXPECT_EQ(numberOfEntries(neighborsOf(geometryOf(twoBoxes(0, scale), same))), outerFaces);
-    EXPECT_EQ(numberOfEntries(neighborsOf(geometryOf(twoBoxes(unit, scale), same))), outerFaces);
-    EXPECT_EQ(numberOfEntries(neighborsOf(geometryOf(twoBoxes(64 * unit, scale), same))),
+    EXPECT_EQ(NumberOfEntries(NeighborsOf(GeometryOf(TwoBoxes(0, scale), Same))), outerFaces);
+    EXPECT_EQ(NumberOfEntries(NeighborsOf(GeometryOf(TwoBoxes(unit, scale), Same))), outerFaces);
+    EXPECT_EQ(NumberOfEntries(NeighborsOf(GeometryOf(TwoBoxes(64 * unit, scale), Same))),
       outerFaces + innerFaces);
   }
 }
@@ -151,7 +151,7 @@ TEST(TetrahedronNeighbors, RoundingOfRotatedBlocksIsWelded)
   Random random(5);
   for (int trial = 0; trial < 20; ++trial)
   {
-    const auto data = twoBoxes(0);
+    const auto data = TwoBoxes(0);
     const auto axis = random.Direction();
     const double angle = random.Uniform(0, 6), c = std::cos(angle), s = std::sin(angle);
     for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
@@ -167,8 +167,8 @@ TEST(TetrahedronNeighbors, RoundingOfRotatedBlocksIsWelded)
       }
       data->GetPoints()->SetPoint(i, turned);
     }
-    const TetrahedronNeighbors neighbors = neighborsOf(geometryOf(data, same));
-    EXPECT_EQ(countMerged(neighbors, data->GetNumberOfPoints()), 2 * 27u - 9u) << trial;
+    const TetrahedronNeighbors neighbors = NeighborsOf(GeometryOf(data, Same));
+    EXPECT_EQ(CountMerged(neighbors, data->GetNumberOfPoints()), 2 * 27u - 9u) << trial;
   }
 }
 
@@ -178,13 +178,13 @@ TEST(TetrahedronNeighbors, ThinLayersKeepTheirExtent)
   const double thickness = 0.2 * std::numeric_limits<float>::epsilon();
   BlockMesh mesh;
   mesh.AddBox(2, 2, 5, { { -1, -1, 0 } }, { { 1, 1, 5 * thickness } });
-  const CellGeometry geometry = geometryOf(mesh.Get(), same);
-  const TetrahedronNeighbors neighbors = neighborsOf(geometry);
-  EXPECT_EQ(countMerged(neighbors, mesh.Get()->GetNumberOfPoints()), geometry.Points.size());
+  const CellGeometry geometry = GeometryOf(mesh.Get(), Same);
+  const TetrahedronNeighbors neighbors = NeighborsOf(geometry);
+  EXPECT_EQ(CountMerged(neighbors, mesh.Get()->GetNumberOfPoints()), geometry.Points.size());
   const auto facing = [&](const BoundaryFace& f) {
     const Vector3 a = geometry.Position(f[0]);
-    return cross(difference(geometry.Position(f[1]), a),
-             difference(geometry.Position(f[2]), a))[2] != 0;
+    return Cross(Difference(geometry.Position(f[1]), a),
+             Difference(geometry.Position(f[2]), a))[2] != 0;
   };
   EXPECT_EQ(std::count_if(neighbors.BoundaryFaces.begin(), neighbors.BoundaryFaces.end(), facing),
     2 * 4 * 2);
@@ -192,13 +192,13 @@ TEST(TetrahedronNeighbors, ThinLayersKeepTheirExtent)
 
 TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
 {
-  const auto data = twoBoxes(0);
+  const auto data = TwoBoxes(0);
   const vtkIdType half = data->GetNumberOfPoints() / 2;
   const CellGeometry geometry =
-    geometryOf(data, [half](vtkIdType i, const double* x) { return x[1] + (i < half ? 0 : 5); });
-  const TetrahedronNeighbors neighbors = neighborsOf(geometry);
+    GeometryOf(data, [half](vtkIdType i, const double* x) { return x[1] + (i < half ? 0 : 5); });
+  const TetrahedronNeighbors neighbors = NeighborsOf(geometry);
   ASSERT_EQ(neighbors.NumberOfJumps, innerFaces);
-  EXPECT_EQ(numberOfEntries(neighbors), outerFaces);
+  EXPECT_EQ(NumberOfEntries(neighbors), outerFaces);
   std::set<std::size_t> reached;
   for (std::size_t i = 0; i < geometry.Tetrahedra.size(); ++i)
   {
@@ -210,7 +210,7 @@ TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
         continue;
       }
       const std::size_t first = static_cast<std::size_t>(TetrahedronNeighbors::Jump - stored);
-      ASSERT_GE(first, numberOfEntries(neighbors));
+      ASSERT_GE(first, NumberOfEntries(neighbors));
       ASSERT_LT(first + 1, neighbors.BoundaryFaces.size());
       const BoundaryFace& across = neighbors.FaceAcross(stored, static_cast<std::int32_t>(i));
       const std::size_t number = static_cast<std::size_t>(&across - neighbors.BoundaryFaces.data());
@@ -236,7 +236,7 @@ TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
 
 TEST(TetrahedronNeighbors, OneNeighborAndTheLinksGiveAll)
 {
-  const auto jumping = twoBoxes(0);
+  const auto jumping = TwoBoxes(0);
   const vtkIdType half = jumping->GetNumberOfPoints() / 2;
   BlockMesh folded; // the second box lies within the first, and shares a face with it
   folded.AddBox(1, 1, 1, { { 0, 0, 0 } }, { { 1, 1, 1 } });
@@ -248,11 +248,11 @@ TEST(TetrahedronNeighbors, OneNeighborAndTheLinksGiveAll)
   }
   const auto jumps = [half](vtkIdType i, const double* x) { return x[1] + (i < half ? 0 : 5); };
   for (const CellGeometry& geometry :
-    { geometryOf(globe<float>(true), same), geometryOf(globe<double>(false), same),
-      geometryOf(jumping, same), geometryOf(jumping, jumps), geometryOf(folded.Get(), same),
-      geometryOf(copies.Get(), same) })
+    { GeometryOf(MakeGlobe<float>(true), Same), GeometryOf(MakeGlobe<double>(false), Same),
+      GeometryOf(jumping, Same), GeometryOf(jumping, jumps), GeometryOf(folded.Get(), Same),
+      GeometryOf(copies.Get(), Same) })
   {
-    const TetrahedronNeighbors neighbors = neighborsOf(geometry);
+    const TetrahedronNeighbors neighbors = NeighborsOf(geometry);
     const auto links = neighbors.Links(geometry);
     TetrahedronNeighbors released = neighbors;
     released.ReleaseNeighbors();
@@ -305,8 +305,8 @@ TEST(TetrahedronNeighbors, NeighborsKnowEachOther)
       cells.push_back({ VTK_TETRA, { ids.begin(), ids.end() } });
     }
     const auto value = [trial](vtkIdType i, const double*) { return double(i % (1 + trial % 2)); };
-    const CellGeometry geometry = geometryOf(makeGrid(points, cells), value);
-    const TetrahedronNeighbors neighbors = neighborsOf(geometry);
+    const CellGeometry geometry = GeometryOf(MakeGrid(points, cells), value);
+    const TetrahedronNeighbors neighbors = NeighborsOf(geometry);
     const auto& n = neighbors.Neighbors;
     const auto links = neighbors.Links(geometry);
     std::vector<std::size_t> all(links.size());
@@ -334,7 +334,7 @@ TEST(TetrahedronNeighbors, EqualValuesMeetWhereTheFirstDiffers)
     mesh.AddBox(1, 1, 1, { { double(part), 0, 0 } }, { { part + 1.0, 1, 1 } });
   }
   const auto value = [](vtkIdType i, const double*) { return i < 8 ? 0.0 : 1.0; };
-  const TetrahedronNeighbors neighbors = neighborsOf(geometryOf(mesh.Get(), value));
-  EXPECT_EQ(numberOfEntries(neighbors), 14u * 2);
+  const TetrahedronNeighbors neighbors = NeighborsOf(GeometryOf(mesh.Get(), value));
+  EXPECT_EQ(NumberOfEntries(neighbors), 14u * 2);
   EXPECT_EQ(neighbors.NumberOfJumps, 2u * 2);
 }

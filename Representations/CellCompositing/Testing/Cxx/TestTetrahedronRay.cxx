@@ -17,7 +17,7 @@ using namespace nephoscope_test;
 namespace
 {
 /** Parameter u at which the ray from a back-face point with coordinates lambda leaves through a front face. */
-inline double frontParameter(const Vector4& lambda, const Vector4& q, double eyeW)
+inline double FrontParameter(const Vector4& lambda, const Vector4& q, double eyeW)
 {
   double u = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 4; ++i)
@@ -32,7 +32,7 @@ inline double frontParameter(const Vector4& lambda, const Vector4& q, double eye
 }
 
 /** Barycentric coordinates at parameter u. */
-inline Vector4 coordinatesAt(const Vector4& lambda, const Vector4& q, double eyeW, double u)
+inline Vector4 CoordinatesAt(const Vector4& lambda, const Vector4& q, double eyeW, double u)
 {
   Vector4 result;
   for (int i = 0; i < 4; ++i)
@@ -53,20 +53,20 @@ struct AffineMap
     Vector3 x = { { 0, 0, 0 } };
     for (int i = 0; i < 3; ++i)
     {
-      x = along(x, v[i], this->Columns[i]);
+      x = Along(x, v[i], this->Columns[i]);
     }
     return x;
   }
-  Vector3 operator()(const Vector3& v) const { return along(this->Direction(v), 1, this->Offset); }
+  Vector3 operator()(const Vector3& v) const { return Along(this->Direction(v), 1, this->Offset); }
 };
 
-AffineMap randomMap(Random& random)
+AffineMap RandomMap(Random& random)
 {
   AffineMap map;
   do
   {
     map.Columns = { { random.NormalVector(), random.NormalVector(), random.NormalVector() } };
-  } while (std::fabs(dot(map.Columns[0], cross(map.Columns[1], map.Columns[2]))) < 0.2);
+  } while (std::fabs(Dot(map.Columns[0], Cross(map.Columns[1], map.Columns[2]))) < 0.2);
   map.Offset = random.NormalVector();
   return map;
 }
@@ -77,15 +77,15 @@ struct Segment
 };
 
 /** What the mapper does: lengths in the world, coordinates q in the model. */
-Segment segmentUnderTest(const Points& model, const Vector4& eyeModel, const Vector4& lambdaBack,
+Segment SegmentUnderTest(const Points& model, const Vector4& eyeModel, const Vector4& lambdaBack,
   const Vector4& scalars, double lengthPerParameter)
 {
-  const Vector4 q = eyeCoordinates(model, eyeModel);
-  double u = frontParameter(lambdaBack, q, eyeModel[3]);
+  const Vector4 q = EyeCoordinates(model, eyeModel);
+  double u = FrontParameter(lambdaBack, q, eyeModel[3]);
   u = eyeModel[3] > 0 ? std::min(u, 1.0) : u; // the eye itself is at 1
   return { u * lengthPerParameter,
-    interpolate(coordinatesAt(lambdaBack, q, eyeModel[3], u), scalars),
-    interpolate(lambdaBack, scalars) };
+    Interpolate(CoordinatesAt(lambdaBack, q, eyeModel[3], u), scalars),
+    Interpolate(lambdaBack, scalars) };
 }
 }
 
@@ -96,35 +96,35 @@ TEST(TetrahedronRay, AgreesWithClippedRays)
   int inside = 0;
   for (int i = 0; i < 20000; ++i)
   {
-    const Points model = randomTetrahedron(random);
-    const AffineMap map = randomMap(random);
+    const Points model = RandomTetrahedron(random);
+    const AffineMap map = RandomMap(random);
     const Points world = { { map(model[0]), map(model[1]), map(model[2]), map(model[3]) } };
     const Vector4 scalars = { { random.Normal(), random.Normal(), random.Normal(),
       random.Normal() } };
     const bool perspective = i % 2 == 0;
     const bool eyeInside = i % 8 == 0;
     const Vector3 eye =
-      eyeInside ? randomInside(random, model) : along({ { 0, 0, 0 } }, 4, random.Direction());
+      eyeInside ? RandomInside(random, model) : Along({ { 0, 0, 0 } }, 4, random.Direction());
     const Vector3 towards = random.Direction(); // in the model
-    const Vector3 target = map(randomInside(random, model));
+    const Vector3 target = map(RandomInside(random, model));
 
-    Vector3 direction = perspective ? difference(target, map(eye)) : map.Direction(towards);
-    direction = along({ { 0, 0, 0 } }, (perspective ? 1 : -1) / length(direction), direction);
+    Vector3 direction = perspective ? Difference(target, map(eye)) : map.Direction(towards);
+    direction = Along({ { 0, 0, 0 } }, (perspective ? 1 : -1) / Length(direction), direction);
     const Vector3 origin = perspective ? map(eye) : target;
-    ClippedRay ray = clip(world, origin, direction);
+    ClippedRay ray = Clip(world, origin, direction);
     ray.Near = perspective ? std::max(ray.Near, 0.0) : ray.Near;
     inside += perspective && ray.Near == 0.0;
-    const Vector4 expectedFront = barycentric(world, along(origin, ray.Near, direction));
-    const Vector4 expectedBack = barycentric(world, along(origin, ray.Far, direction));
+    const Vector4 expectedFront = Barycentric(world, Along(origin, ray.Near, direction));
+    const Vector4 expectedBack = Barycentric(world, Along(origin, ray.Far, direction));
 
     const Vector4 eyeModel = perspective ? Vector4{ { eye[0], eye[1], eye[2], 1 } }
                                          : Vector4{ { towards[0], towards[1], towards[2], 0 } };
-    const Segment segment = segmentUnderTest(model, eyeModel, expectedBack, scalars,
-      perspective ? ray.Far : length(map.Direction(towards)));
+    const Segment segment = SegmentUnderTest(model, eyeModel, expectedBack, scalars,
+      perspective ? ray.Far : Length(map.Direction(towards)));
     worst = std::max({ worst, std::fabs(segment.Thickness - (ray.Far - ray.Near)),
-      std::fabs(segment.Front - interpolate(expectedFront, scalars)),
-      std::fabs(segment.Back - interpolate(expectedBack, scalars)) });
-    ASSERT_GT(eyeCoordinates(model, eyeModel)[ray.FarFace], 0)
+      std::fabs(segment.Front - Interpolate(expectedFront, scalars)),
+      std::fabs(segment.Back - Interpolate(expectedBack, scalars)) });
+    ASSERT_GT(EyeCoordinates(model, eyeModel)[ray.FarFace], 0)
       << "the ray leaves through a face not marked as a back face";
   }
   std::cout << "largest difference " << worst << "; eye inside " << inside << " times" << std::endl;
@@ -137,14 +137,14 @@ TEST(TetrahedronRay, EyeCoordinates)
   Random random(22);
   for (int i = 0; i < 10000; ++i)
   {
-    Points p = randomTetrahedron(random);
-    const Vector3 e = along({ { 0, 0, 0 } }, 3, random.NormalVector());
-    const Vector4 q = eyeCoordinates(p, { { e[0], e[1], e[2], 1 } });
-    const Vector4 expected = barycentric(p, e); // q are the eye's barycentric coordinates
-    const Vector4 parallel = eyeCoordinates(p, { { e[0], e[1], e[2], 0 } });
+    Points p = RandomTetrahedron(random);
+    const Vector3 e = Along({ { 0, 0, 0 } }, 3, random.NormalVector());
+    const Vector4 q = EyeCoordinates(p, { { e[0], e[1], e[2], 1 } });
+    const Vector4 expected = Barycentric(p, e); // q are the eye's barycentric coordinates
+    const Vector4 parallel = EyeCoordinates(p, { { e[0], e[1], e[2], 0 } });
     EXPECT_NEAR(parallel[0] + parallel[1] + parallel[2] + parallel[3], 0, 1e-9);
     std::swap(p[2], p[3]); // the other orientation
-    const Vector4 swapped = eyeCoordinates(p, { { e[0], e[1], e[2], 1 } });
+    const Vector4 swapped = EyeCoordinates(p, { { e[0], e[1], e[2], 1 } });
     for (int k = 0; k < 4; ++k)
     {
       ASSERT_NEAR(q[k], expected[k], 1e-9);
@@ -160,26 +160,26 @@ TEST(TetrahedronRay, ProjectionClasses)
   int oneInside = 0, samples = 20000;
   for (int i = 0; i < samples; ++i)
   {
-    const Points p = randomTetrahedron(random);
+    const Points p = RandomTetrahedron(random);
     const bool perspective = i % 2 == 0;
-    const Vector3 e = along({ { 0, 0, 0 } }, perspective ? 5 : 1, random.Direction());
-    const Vector4 q = eyeCoordinates(p, { { e[0], e[1], e[2], perspective ? 1.0 : 0.0 } });
+    const Vector3 e = Along({ { 0, 0, 0 } }, perspective ? 5 : 1, random.Direction());
+    const Vector4 q = EyeCoordinates(p, { { e[0], e[1], e[2], perspective ? 1.0 : 0.0 } });
     // Eye space: positions from the eye, or (x, y, 1) with x and y across the view direction.
     Vector3 x =
-      cross(e, std::fabs(e[0]) < 0.5 * length(e) ? Vector3{ { 1, 0, 0 } } : Vector3{ { 0, 1, 0 } });
-    const Vector3 y = cross(e, x);
+      Cross(e, std::fabs(e[0]) < 0.5 * Length(e) ? Vector3{ { 1, 0, 0 } } : Vector3{ { 0, 1, 0 } });
+    const Vector3 y = Cross(e, x);
     std::array<Vector3, 4> eyeSpace;
     for (int k = 0; k < 4; ++k)
     {
       eyeSpace[k] =
-        perspective ? difference(p[k], e) : Vector3{ { dot(p[k], x), dot(p[k], y), 1 } };
+        perspective ? Difference(p[k], e) : Vector3{ { Dot(p[k], x), Dot(p[k], y), 1 } };
     }
     Vector4 mu;
     double ratio = 0;
     for (int k = 0; k < 4; ++k)
     {
       const auto& f = tetrahedronFaces[k];
-      mu[k] = (k % 2 ? -1 : 1) * dot(eyeSpace[f[0]], cross(eyeSpace[f[1]], eyeSpace[f[2]]));
+      mu[k] = (k % 2 ? -1 : 1) * Dot(eyeSpace[f[0]], Cross(eyeSpace[f[1]], eyeSpace[f[2]]));
       ratio = std::fabs(q[k]) > std::fabs(ratio) ? mu[k] / q[k] : ratio;
     }
     const double scale = ratio;
@@ -202,14 +202,14 @@ TEST(TetrahedronRay, RegularTetrahedronAlongZ)
   // Crossing edges: from the middle of edge 0-3 (z = 1) to the middle of edge 1-2 (z = -1).
   const Points p = { { { { 1, 1, 1 } }, { { 1, -1, -1 } }, { { -1, 1, -1 } }, { { -1, -1, 1 } } } };
   const Vector4 eye = { { 0, 0, 1, 0 } };
-  const Vector4 q = eyeCoordinates(p, eye);
+  const Vector4 q = EyeCoordinates(p, eye);
   const int expected[4] = { 1, -1, -1, 1 };
   for (int i = 0; i < 4; ++i)
   {
     EXPECT_GT(q[i] * expected[i], 0);
   }
   const Vector4 back = { { 0, 0.5, 0.5, 0 } };
-  const Segment segment = segmentUnderTest(p, eye, back, { { 0, 1, 2, 3 } }, 1);
+  const Segment segment = SegmentUnderTest(p, eye, back, { { 0, 1, 2, 3 } }, 1);
   EXPECT_NEAR(segment.Thickness, 2, 1e-12);
   EXPECT_NEAR(segment.Front, 1.5, 1e-12);
   EXPECT_NEAR(segment.Back, 1.5, 1e-12);
@@ -221,12 +221,12 @@ TEST(TetrahedronRay, CornerTetrahedronAlongZ)
   // The eye looks along +z; through the origin the ray runs in the edge 0-3, 0 in front with scalar 0.
   const Points p = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
   const Vector4 eye = { { 0, 0, -1, 0 } };
-  const Vector4 q = eyeCoordinates(p, eye);
+  const Vector4 q = EyeCoordinates(p, eye);
   EXPECT_GT(q[0], 0);
   EXPECT_EQ(q[1], 0);
   EXPECT_EQ(q[2], 0);
   EXPECT_LT(q[3], 0);
-  const Segment segment = segmentUnderTest(p, eye, { { 0, 0, 0, 1 } }, { { 0, 1, 2, 3 } }, 1);
+  const Segment segment = SegmentUnderTest(p, eye, { { 0, 0, 0, 1 } }, { { 0, 1, 2, 3 } }, 1);
   EXPECT_NEAR(segment.Thickness, 1, 1e-12);
   EXPECT_NEAR(segment.Front, 0, 1e-12);
   EXPECT_NEAR(segment.Back, 3, 1e-12);
@@ -238,11 +238,11 @@ TEST(TetrahedronRay, PointsOnTheOutlineGiveNoNegativeLength)
   Random random(24);
   for (int i = 0; i < 10000; ++i)
   {
-    const Points p = randomTetrahedron(random);
-    const Vector3 e = along({ { 0, 0, 0 } }, 5, random.Direction());
-    const Vector4 q = eyeCoordinates(p, { { e[0], e[1], e[2], 1 } });
+    const Points p = RandomTetrahedron(random);
+    const Vector3 e = Along({ { 0, 0, 0 } }, 5, random.Direction());
+    const Vector4 q = EyeCoordinates(p, { { e[0], e[1], e[2], 1 } });
     const double t = random.Uniform();
     Vector4 lambda = { { t, 1 - t, -1e-15, 1e-15 } };
-    ASSERT_GE(frontParameter(lambda, q, 1), 0);
+    ASSERT_GE(FrontParameter(lambda, q, 1), 0);
   }
 }

@@ -22,7 +22,7 @@ namespace
 using Ids = std::array<std::int64_t, 4>;
 using Face = std::array<std::int64_t, 3>;
 
-ChessboardGrid makeGrid(int nx, int ny, int nz, int offset)
+ChessboardGrid MakeGrid(int nx, int ny, int nz, int offset)
 {
   ChessboardGrid grid;
   grid.Size[0] = nx;
@@ -32,21 +32,21 @@ ChessboardGrid makeGrid(int nx, int ny, int nz, int offset)
   return grid;
 }
 
-Vector3 place(const ChessboardGrid& grid, std::int64_t point)
+Vector3 PlaceAt(const ChessboardGrid& grid, std::int64_t point)
 {
   const std::int64_t row = point / grid.Size[0];
   return { double(point % grid.Size[0]), double(row % grid.Size[1]), double(row / grid.Size[1]) };
 }
 
-double volume(const ChessboardGrid& grid, const Ids& t)
+double Volume(const ChessboardGrid& grid, const Ids& t)
 {
-  const Vector3 a = place(grid, t[0]);
-  return std::abs(dot(cross(difference(place(grid, t[1]), a), difference(place(grid, t[2]), a)),
-           difference(place(grid, t[3]), a))) /
+  const Vector3 a = PlaceAt(grid, t[0]);
+  return std::abs(Dot(Cross(Difference(PlaceAt(grid, t[1]), a), Difference(PlaceAt(grid, t[2]), a)),
+           Difference(PlaceAt(grid, t[3]), a))) /
     6;
 }
 
-std::map<Face, std::vector<std::int64_t>> facesOf(const std::vector<Ids>& tetrahedra)
+std::map<Face, std::vector<std::int64_t>> FacesOf(const std::vector<Ids>& tetrahedra)
 {
   std::map<Face, std::vector<std::int64_t>> faces;
   for (std::size_t i = 0; i < tetrahedra.size(); ++i)
@@ -61,7 +61,7 @@ std::map<Face, std::vector<std::int64_t>> facesOf(const std::vector<Ids>& tetrah
   return faces;
 }
 
-std::vector<Ids> allTetrahedra(const ChessboardGrid& grid)
+std::vector<Ids> AllTetrahedra(const ChessboardGrid& grid)
 {
   std::vector<Ids> all;
   for (std::int64_t cell = 0; cell < grid.NumberOfCells(); ++cell)
@@ -74,15 +74,15 @@ std::vector<Ids> allTetrahedra(const ChessboardGrid& grid)
   return all;
 }
 
-double field(const Vector3& p)
+double Field(const Vector3& p)
 {
   return 0.3 * p[0] - 0.7 * p[1] + 0.11 * p[2] + 2;
 }
 
 /** A ray along +z through (x, y), by which vertices are seen. */
-WalkVertex<float> seen(const Vector3& p, double x, double y)
+WalkVertex<float> Seen(const Vector3& p, double x, double y)
 {
-  return { float(p[0] - x), float(p[1] - y), float(p[2]), float(field(p)) };
+  return { float(p[0] - x), float(p[1] - y), float(p[2]), float(Field(p)) };
 }
 }
 
@@ -90,18 +90,18 @@ TEST(ChessboardGrid, TetrahedraFillTheGridAndFit)
 {
   for (const int offset : { 0, 1 })
   {
-    const ChessboardGrid grid = makeGrid(5, 4, 3, offset);
-    const std::vector<Ids> all = allTetrahedra(grid);
+    const ChessboardGrid grid = MakeGrid(5, 4, 3, offset);
+    const std::vector<Ids> all = AllTetrahedra(grid);
     EXPECT_EQ(all.size(), 5u * 24);
     double sum = 0;
     for (const Ids& t : all)
     {
-      EXPECT_GT(volume(grid, t), 0.1);
-      sum += volume(grid, t);
+      EXPECT_GT(Volume(grid, t), 0.1);
+      sum += Volume(grid, t);
     }
     EXPECT_NEAR(sum, 24, 1e-12);
     std::size_t boundary = 0;
-    for (const auto& face : facesOf(all))
+    for (const auto& face : FacesOf(all))
     {
       EXPECT_LE(face.second.size(), 2u);
       boundary += face.second.size() == 1;
@@ -114,18 +114,18 @@ TEST(ChessboardGrid, TetrahedraFillTheGridAndFit)
 // Neighbouring pieces of one grid, whose extents differ, must agree on the diagonals between them.
 TEST(ChessboardGrid, PiecesAgree)
 {
-  const ChessboardGrid left = makeGrid(4, 3, 3, 0),
-                       right = makeGrid(4, 3, 3, 3 & 1); // right begins at index 3
+  const ChessboardGrid left = MakeGrid(4, 3, 3, 0),
+                       right = MakeGrid(4, 3, 3, 3 & 1); // right begins at index 3
   std::set<std::array<std::array<double, 3>, 3>> sides[2];
   const ChessboardGrid* grids[2] = { &left, &right };
   for (int k = 0; k < 2; ++k)
   {
-    for (const auto& face : facesOf(allTetrahedra(*grids[k])))
+    for (const auto& face : FacesOf(AllTetrahedra(*grids[k])))
     {
       std::array<std::array<double, 3>, 3> places;
       for (std::size_t i = 0; i < 3; ++i)
       {
-        places[i] = place(*grids[k], face.first[i]);
+        places[i] = PlaceAt(*grids[k], face.first[i]);
         places[i][0] += 3 * k;
       }
       if (face.second.size() == 1 && places[0][0] == 3 && places[1][0] == 3 && places[2][0] == 3)
@@ -157,9 +157,9 @@ TEST(TetrahedronWalk, LeavesARandomTetrahedron)
     for (int k = 0; k < 4; ++k)
     {
       const auto& f = tetrahedronFaces[k];
-      const double whole = planeSide(p[f[0]], p[f[1]], p[f[2]], { p[k][0], p[k][1], p[k][2], 1 });
-      at0[k] = planeSide(p[f[0]], p[f[1]], p[f[2]], { x, y, 0, 1 }) / whole;
-      slope[k] = planeSide(p[f[0]], p[f[1]], p[f[2]], { x, y, 1, 1 }) / whole - at0[k];
+      const double whole = PlaneSide(p[f[0]], p[f[1]], p[f[2]], { p[k][0], p[k][1], p[k][2], 1 });
+      at0[k] = PlaneSide(p[f[0]], p[f[1]], p[f[2]], { x, y, 0, 1 }) / whole;
+      slope[k] = PlaneSide(p[f[0]], p[f[1]], p[f[2]], { x, y, 1, 1 }) / whole - at0[k];
     }
     double enter = -1e30, leave = 1e30;
     int entered = -1;
@@ -176,14 +176,14 @@ TEST(TetrahedronWalk, LeavesARandomTetrahedron)
     ++crossed;
     const auto& f = tetrahedronFaces[entered];
     TetrahedronWalk<float> walk;
-    walk.Start(seen(p[f[0]], x, y), seen(p[f[1]], x, y), seen(p[f[2]], x, y));
+    walk.Start(Seen(p[f[0]], x, y), Seen(p[f[1]], x, y), Seen(p[f[2]], x, y));
     float z, s;
     ASSERT_TRUE(walk.Pass(z, s));
     EXPECT_NEAR(z, enter, 1e-4);
-    walk.Step(seen(p[entered], x, y));
+    walk.Step(Seen(p[entered], x, y));
     ASSERT_TRUE(walk.Pass(z, s));
     EXPECT_NEAR(z, leave, 1e-4);
-    EXPECT_NEAR(s, field({ x, y, leave }), 1e-4);
+    EXPECT_NEAR(s, Field({ x, y, leave }), 1e-4);
     EXPECT_FALSE(walk.IsLost);
   }
   EXPECT_GT(crossed, 1000);
@@ -192,9 +192,9 @@ TEST(TetrahedronWalk, LeavesARandomTetrahedron)
 // Through a whole grid, neighbours found by their faces: in depth order, from one side to the other, with the field's values.
 TEST(TetrahedronWalk, CrossesAGrid)
 {
-  const ChessboardGrid grid = makeGrid(6, 6, 8, 1);
-  const std::vector<Ids> all = allTetrahedra(grid);
-  const auto faces = facesOf(all);
+  const ChessboardGrid grid = MakeGrid(6, 6, 8, 1);
+  const std::vector<Ids> all = AllTetrahedra(grid);
+  const auto faces = FacesOf(all);
   Random random(32);
   for (int i = 0; i < 200; ++i)
   {
@@ -202,19 +202,19 @@ TEST(TetrahedronWalk, CrossesAGrid)
     const auto entry = std::find_if(faces.begin(), faces.end(), [&](const auto& face) {
       TetrahedronWalk<double> test;
       const auto at = [&](std::size_t k) {
-        const Vector3 p = place(grid, face.first[k]);
+        const Vector3 p = PlaceAt(grid, face.first[k]);
         return WalkVertex<double>{ p[0] - x, p[1] - y, p[2], 0 };
       };
       test.Start(at(0), at(1), at(2));
-      const bool inside = edgeFunction(test.A, test.B) > 0 && edgeFunction(test.B, test.C) > 0 &&
-        edgeFunction(test.C, test.A) > 0;
+      const bool inside = EdgeFunction(test.A, test.B) > 0 && EdgeFunction(test.B, test.C) > 0 &&
+        EdgeFunction(test.C, test.A) > 0;
       return face.second.size() == 1 && inside && test.A.Z == 0 && test.B.Z == 0 && test.C.Z == 0;
     });
     ASSERT_NE(entry, faces.end());
     TetrahedronWalk<float> walk;
     Face ids = entry->first;
-    if (walk.Start(seen(place(grid, ids[0]), x, y), seen(place(grid, ids[1]), x, y),
-          seen(place(grid, ids[2]), x, y)))
+    if (walk.Start(Seen(PlaceAt(grid, ids[0]), x, y), Seen(PlaceAt(grid, ids[1]), x, y),
+          Seen(PlaceAt(grid, ids[2]), x, y)))
     {
       std::swap(ids[1], ids[2]);
     }
@@ -226,10 +226,10 @@ TEST(TetrahedronWalk, CrossesAGrid)
       const Ids& t = all[std::size_t(tetrahedron)];
       const auto ahead = std::find_if(t.begin(), t.end(),
         [&](std::int64_t v) { return std::find(ids.begin(), ids.end(), v) == ids.end(); });
-      ids[std::size_t(walk.Step(seen(place(grid, *ahead), x, y)))] = *ahead;
+      ids[std::size_t(walk.Step(Seen(PlaceAt(grid, *ahead), x, y)))] = *ahead;
       ASSERT_TRUE(walk.Pass(z, s));
       EXPECT_GE(z, last - 1e-5f);
-      EXPECT_NEAR(s, field({ x, y, z }), 1e-5);
+      EXPECT_NEAR(s, Field({ x, y, z }), 1e-5);
       last = z;
       Face key = ids;
       std::sort(key.begin(), key.end());

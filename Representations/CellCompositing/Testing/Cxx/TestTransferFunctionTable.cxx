@@ -51,7 +51,7 @@ public:
   vtkNew<vtkColorTransferFunction> Color;
 };
 
-void addRandomPoints(Random& random, Functions& f, double low, double high)
+void AddRandomPoints(Random& random, Functions& f, double low, double high)
 {
   for (int i = 0; i < 8; ++i) // not closer than a sixteenth: in float, error grows with the slope
   {
@@ -62,7 +62,7 @@ void addRandomPoints(Random& random, Functions& f, double low, double high)
 }
 
 /** Largest difference at random places, those next to a step of the function (as `skip` says) left out. */
-double largestError(Random& random, const TransferFunctionTable& table, const Functions& f,
+double LargestError(Random& random, const TransferFunctionTable& table, const Functions& f,
   double low, double high, const std::function<bool(double)>& skip = nullptr)
 {
   double largest = 0;
@@ -84,7 +84,7 @@ double largestError(Random& random, const TransferFunctionTable& table, const Fu
   return largest;
 }
 
-std::function<bool(double)> near(const std::vector<double>& places, double distance)
+std::function<bool(double)> Near(const std::vector<double>& places, double distance)
 {
   return [=](double x) {
     return std::any_of(
@@ -99,8 +99,8 @@ TEST(TransferFunctionTable, PiecewiseLinear)
   for (int i = 0; i < 20; ++i)
   {
     Functions f;
-    addRandomPoints(random, f, 200, 300);
-    EXPECT_LE(largestError(random, f.Build(210, 290), f, 210, 290), linear);
+    AddRandomPoints(random, f, 200, 300);
+    EXPECT_LE(LargestError(random, f.Build(210, 290), f, 210, 290), linear);
   }
   Functions f;
   f.Opacity->AddPoint(0, 0);
@@ -110,7 +110,7 @@ TEST(TransferFunctionTable, PiecewiseLinear)
   f.Color->AddRGBPoint(0.6, 1, 0, 0);
   const TransferFunctionTable table = f.Build(0, 1);
   EXPECT_EQ(table.Nodes, (std::vector<float>{ 0.0f, 0.3f, 0.6f, 1.0f }));
-  EXPECT_LE(largestError(random, table, f, 0, 1), linear);
+  EXPECT_LE(LargestError(random, table, f, 0, 1), linear);
 }
 
 TEST(TransferFunctionTable, JumpsAreKept)
@@ -132,7 +132,7 @@ TEST(TransferFunctionTable, JumpsAreKept)
     EXPECT_NEAR(table.Intervals[k - 1].High[3], 0.4, linear) << "offset " << offset;
     EXPECT_NEAR(table.Intervals[k].Low[3], 0.9, linear) << "offset " << offset;
     EXPECT_LE(
-      largestError(random, table, f, offset, offset + 1, near({ offset + 0.5 }, 1e-6)), 1e-5)
+      LargestError(random, table, f, offset, offset + 1, Near({ offset + 0.5 }, 1e-6)), 1e-5)
       << "offset " << offset;
   }
 }
@@ -148,10 +148,10 @@ TEST(TransferFunctionTable, SharpStepsAreKept)
   const TransferFunctionTable table = f.Build(0, 2);
   if (f.Opacity->GetValue(0.59) != 0.1) // VTK 9.6 draws sharpness 1 as a steep curve, not as a step
   {
-    EXPECT_LE(largestError(random, table, f, 0, 2, near({ 1.4 }, 1e-6)), curved);
+    EXPECT_LE(LargestError(random, table, f, 0, 2, Near({ 1.4 }, 1e-6)), curved);
     return;
   }
-  EXPECT_LE(largestError(random, table, f, 0, 2, near({ 0.6, 1.4 }, 1e-6)), linear);
+  EXPECT_LE(LargestError(random, table, f, 0, 2, Near({ 0.6, 1.4 }, 1e-6)), linear);
   EXPECT_NEAR(table.Evaluate(0.2999f)[3], 0.1, linear);
   EXPECT_NEAR(table.Evaluate(0.3001f)[3], 0.9, linear);
 }
@@ -168,7 +168,7 @@ TEST(TransferFunctionTable, MidpointAndSharpness)
       f.Opacity->AddPoint(1, 0.9);
       f.Color->AddRGBPoint(0, 0, 0.2, 1, midpoint, sharpness);
       f.Color->AddRGBPoint(1, 1, 0.5, 0);
-      EXPECT_LE(largestError(random, f.Build(0, 1), f, 0, 1), curved)
+      EXPECT_LE(LargestError(random, f.Build(0, 1), f, 0, 1), curved)
         << "midpoint " << midpoint << ", sharpness " << sharpness;
     }
   }
@@ -196,7 +196,7 @@ TEST(TransferFunctionTable, ColorSpaces)
       {
         f.Color->AddRGBPoint(x, random.Uniform(), random.Uniform(), random.Uniform());
       }
-      largest = std::max(largest, largestError(random, f.Build(0, 3), f, 0, 3));
+      largest = std::max(largest, LargestError(random, f.Build(0, 3), f, 0, 3));
     }
     std::cout << name << ": largest error " << largest << std::endl;
     EXPECT_LE(largest, curved) << name;
@@ -337,7 +337,7 @@ TEST(TransferFunctionTable, ClampingOff)
   f.Color->AddRGBPoint(0.3, 1, 0.5, 0.2);
   f.Color->AddRGBPoint(0.7, 0.9, 0.4, 0.1);
   const TransferFunctionTable table = f.Build(0, 1);
-  EXPECT_LE(largestError(random, table, f, 0, 1, near({ 0.2, 0.3, 0.7, 0.8 }, 1e-6)), linear);
+  EXPECT_LE(LargestError(random, table, f, 0, 1, Near({ 0.2, 0.3, 0.7, 0.8 }, 1e-6)), linear);
   EXPECT_EQ(table.Evaluate(0.1f)[3], 0.0f);
   EXPECT_EQ(table.Evaluate(0.9f)[3], 0.0f);
   EXPECT_TRUE(table.IsTransparent(0.0f, 0.1f));

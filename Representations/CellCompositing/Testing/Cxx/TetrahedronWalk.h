@@ -30,7 +30,7 @@ struct WalkVertex
 };
 
 template <typename Real>
-Real edgeFunction(const WalkVertex<Real>& p, const WalkVertex<Real>& q)
+Real EdgeFunction(const WalkVertex<Real>& p, const WalkVertex<Real>& q)
 {
   return p.U * q.V - p.V * q.U;
 }
@@ -47,13 +47,13 @@ struct TetrahedronWalk
   /** Starts at a face; its vertices are exchanged where it is seen from the wrong side. Returns true if so (B and C). */
   bool Start(const WalkVertex<Real>& a, const WalkVertex<Real>& b, const WalkVertex<Real>& c)
   {
-    const bool turned = edgeFunction(a, b) + edgeFunction(b, c) + edgeFunction(c, a) < 0;
+    const bool turned = EdgeFunction(a, b) + EdgeFunction(b, c) + EdgeFunction(c, a) < 0;
     this->A = a;
     this->B = turned ? c : b;
     this->C = turned ? b : c;
-    this->AB = edgeFunction(this->A, this->B);
-    this->BC = edgeFunction(this->B, this->C);
-    this->CA = edgeFunction(this->C, this->A);
+    this->AB = EdgeFunction(this->A, this->B);
+    this->BC = EdgeFunction(this->B, this->C);
+    this->CA = EdgeFunction(this->C, this->A);
     this->IsLost = std::min({ this->AB, this->BC, this->CA }) <
       0; // a rasterizer may give the face a pixel whose ray passes it by
     this->AB = std::max(this->AB, Real(0));
@@ -65,9 +65,9 @@ struct TetrahedronWalk
   /** Goes on to the face through which the ray leaves the tetrahedron with the vertex d; returns which vertex stays behind. */
   int Step(const WalkVertex<Real>& d)
   {
-    const Real ad = edgeFunction(this->A, d);
-    const Real bd = edgeFunction(this->B, d);
-    const Real cd = edgeFunction(this->C, d);
+    const Real ad = EdgeFunction(this->A, d);
+    const Real bd = EdgeFunction(this->B, d);
+    const Real cd = EdgeFunction(this->C, d);
     const Real scale = Real(1e-5) * std::max({ std::abs(ad), std::abs(bd), std::abs(cd) });
     // How far inside each of the three faces the ray passes. In exact arithmetic one of them is >= 0; where rounding
     // leaves none, on an edge, the least wrong is right.
