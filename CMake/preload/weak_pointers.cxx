@@ -1,11 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Preloaded into the tests, it makes them quicker: in VTK 9.2, adding or removing a weak pointer takes a time proportional to the number of those that the object has.
+ * Preloaded into the tests, it makes them quicker: in VTK 9.2, adding or removing a weak pointer
+ * takes a time proportional to the number of those that the object has.
  *
- * All properties and domains of ParaView point to their session. Each representation has thousands of these, so that every source that is shown or deleted takes longer than the
- * one before, and the tests of the plugin spent up to a third of their time there. Here an object with many weak pointers has an index of their places in its list. The list itself
- * stays as VTK keeps it, for vtkObjectBase, which clears it when the object is deleted; its order changes, which has no meaning.
+ * All properties and domains of ParaView point to their session. Each representation has thousands
+ * of these, so that every source that is shown or deleted takes longer than the one before, and the
+ * tests of the plugin spent up to a third of their time there. Here an object with many weak
+ * pointers has an index of their places in its list. The list itself stays as VTK keeps it, for
+ * vtkObjectBase, which clears it when the object is deleted; its order changes, which has no
+ * meaning.
  */
 #include "vtkWeakPointerBase.h"
 
@@ -44,7 +48,8 @@ std::size_t lengthUpTo(std::size_t limit, vtkWeakPointerBase* const* list)
   return length;
 }
 
-// A list of this length has room for one more. VTK makes lists twice as long whenever their length is one less than a power of two.
+// A list of this length has room for one more. VTK makes lists twice as long whenever their length
+// is one less than a power of two.
 vtkWeakPointerBase** withRoom(vtkWeakPointerBase** list, std::size_t length)
 {
   if ((length & (length + 1)) != 0)

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Whether a hexahedron, wedge or pyramid folds over itself, and the order of its points in which it does not.
+ * Whether a hexahedron, wedge or pyramid folds over itself, and the order of its points in which it
+ * does not.
  *
- * At each corner the edges to its three neighbours span a volume, the Jacobian there. All have one sign in a cell that does not fold; a negative sign is that
- * of a cell that is numbered inside out, which is drawn like any other.
+ * At each corner the edges to its three neighbours span a volume, the Jacobian there. All have one
+ * sign in a cell that does not fold; a negative sign is that of a cell that is numbered inside out,
+ * which is drawn like any other.
  */
 #ifndef nephoscope_CellCorners_h
 #define nephoscope_CellCorners_h
@@ -28,7 +30,10 @@ enum class CellShape
   Folded
 };
 
-/** A corner, and its neighbours, counterclockwise as seen from inside or, in a cell that is inside out, from outside. */
+/**
+ * A corner, and its neighbours, counterclockwise as seen from inside or, in a cell that is inside
+ * out, from outside.
+ */
 using CellCorner = std::array<int, 4>;
 
 struct CellCorners
@@ -121,7 +126,10 @@ double EdgeSquares(const CellCorners& corners, At at)
   return sum;
 }
 
-/** Whether one end of a hexahedron is turned by half a round, so that the edges between the ends meet in the middle. */
+/**
+ * Whether one end of a hexahedron is turned by half a round, so that the edges between the ends
+ * meet in the middle.
+ */
 template <typename At>
 bool IsTwisted(const CellCorners& corners, double largestJacobian, At at)
 {
@@ -154,13 +162,19 @@ bool IsWellShaped(const CellCorners& corners, At at)
   return jacobians.Least > wellShaped && !IsTwisted(corners, jacobians.Largest, at);
 }
 
-/** Other orders of the points of a cell: which number takes the place of each. The first leaves them. */
+/**
+ * Other orders of the points of a cell: which number takes the place of each. The first leaves
+ * them.
+ */
 class PointOrders
 {
 public:
   using Order = std::array<int, 8>;
 
-  /** Calls visit(order) for two points exchanged, for one end turned, and for a hexahedron numbered like a voxel or the other way round. */
+  /**
+   * Calls visit(order) for two points exchanged, for one end turned, and for a hexahedron numbered
+   * like a voxel or the other way round.
+   */
   template <typename Visit>
   static void ForEach(int cellType, Visit visit)
   {
@@ -206,8 +220,9 @@ private:
 };
 
 /**
- * Finds how a cell of this type is numbered. If it is misnumbered, `best` is the order of its points that has the shortest edges of those in which it does not fold:
- * best[i] is the number of the point that takes the place of point i.
+ * Finds how a cell of this type is numbered. If it is misnumbered, `best` is the order of its
+ * points that has the shortest edges of those in which it does not fold: best[i] is the number of
+ * the point that takes the place of point i.
  */
 template <typename At>
 CellShape FindCellShape(int cellType, At at, PointOrders::Order& best)

@@ -3,10 +3,12 @@
 /**
  * Convex cells to tetrahedra, the same way on both sides of every face.
  *
- * A cell is coned from its least vertex: the faces that do not contain it are triangulated as fans from their own
- * least vertices, and each triangle makes a tetrahedron with the apex. A face that does contain the apex has it as its
- * least vertex too, so every face is cut as a fan from its least vertex, for both of its cells (the smallest-index rule of Dompierre1999, for any convex polyhedron). "Least" is any total order of the vertices; TetrahedronSource says
- * which one the mapper takes.
+ * A cell is coned from its least vertex: the faces that do not contain it are triangulated as fans
+ * from their own least vertices, and each triangle makes a tetrahedron with the apex. A face that
+ * does contain the apex has it as its least vertex too, so every face is cut as a fan from its
+ * least vertex, for both of its cells (the smallest-index rule of Dompierre1999, for any convex
+ * polyhedron). "Least" is any total order of the vertices; TetrahedronSource says which one the
+ * mapper takes.
  */
 #ifndef nephoscope_CellDecomposition_h
 #define nephoscope_CellDecomposition_h
@@ -47,7 +49,8 @@ constexpr FaceList<int> MakeFaceList(const int (&faces)[N])
 }
 
 /**
- * Calls emit({a, b, c, d}) for each tetrahedron of a convex cell. `less` orders the vertices that `faces` names.
+ * Calls emit({a, b, c, d}) for each tetrahedron of a convex cell. `less` orders the vertices that
+ * `faces` names.
  */
 template <typename Index, typename Less, typename Emit>
 void DecomposeCell(FaceList<Index> faces, Less less, Emit emit)

@@ -294,7 +294,8 @@ void CellTetrahedra::TurnFaces()
   }
 }
 
-// Vertices lie on one line. If all fans have a flat triangle, the face keeps that of its least vertex, which comes first.
+// Vertices lie on one line. If all fans have a flat triangle, the face keeps that of its least
+// vertex, which comes first.
 void CellTetrahedra::TurnToFullFan(int* begin, int* end) const
 {
   std::vector<int> byRank(begin, end);

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * One cell of a dataset at a time: its points, and the tetrahedra that it divides into. One object per thread.
+ * One cell of a dataset at a time: its points, and the tetrahedra that it divides into. One object
+ * per thread.
  *
- * Every face is cut as a fan from its least vertex by coordinates (x, then y, then z), which depends neither on numbering nor on blocks
- * and ranks; if that gives a flat triangle, because vertices lie on one line, it is cut from the next vertex that gives none. The inside of
- * a cell does not affect its neighbours: a cell is coned from its least vertex, or from its centre where the least vertex does not see all
- * faces (faces that share a plane, warped faces).
+ * Every face is cut as a fan from its least vertex by coordinates (x, then y, then z), which
+ * depends neither on numbering nor on blocks and ranks; if that gives a flat triangle, because
+ * vertices lie on one line, it is cut from the next vertex that gives none. The inside of a cell
+ * does not affect its neighbours: a cell is coned from its least vertex, or from its centre where
+ * the least vertex does not see all faces (faces that share a plane, warped faces).
  */
 #ifndef nephoscope_CellTetrahedra_h
 #define nephoscope_CellTetrahedra_h
@@ -69,8 +71,8 @@ public:
   int Centre() const { return this->CentreVertex; }
 
   /**
-   * Calls emit(a, b, c) for the triangles of each face that wanted(first vertex, past the last) picks; each turns so that the
-   * cell lies where it faces. Cells that are not linear have none.
+   * Calls emit(a, b, c) for the triangles of each face that wanted(first vertex, past the last)
+   * picks; each turns so that the cell lies where it faces. Cells that are not linear have none.
    */
   template <typename Wanted, typename Emit>
   void EmitFaceTriangles(Wanted wanted, Emit emit)
@@ -90,7 +92,10 @@ public:
     });
   }
 
-  /** Calls visit(first vertex, past the last) for each face of a linear cell or polyhedron; the first vertex is that of its fan. */
+  /**
+   * Calls visit(first vertex, past the last) for each face of a linear cell or polyhedron; the
+   * first vertex is that of its fan.
+   */
   template <typename Visit>
   void ForEachFace(Visit visit)
   {

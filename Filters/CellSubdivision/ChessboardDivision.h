@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Unstructured hexahedra divided as those of a grid are: the vertices of a grid are even or odd, and so are those of any mesh of
- * hexahedra and voxels in which the edges of every closed path are even in number.
+ * Unstructured hexahedra divided as those of a grid are: the vertices of a grid are even or odd,
+ * and so are those of any mesh of hexahedra and voxels in which the edges of every closed path are
+ * even in number.
  *
- * The same cells then look the same as a grid and as unstructured data. Division by coordinates (TetrahedronSource.h) would
- * make six tetrahedra of each cell in place of five, with diagonals in the same direction everywhere.
+ * The same cells then look the same as a grid and as unstructured data. Division by coordinates
+ * (TetrahedronSource.h) would make six tetrahedra of each cell in place of five, with diagonals in
+ * the same direction everywhere.
  */
 #ifndef nephoscope_ChessboardDivision_h
 #define nephoscope_ChessboardDivision_h
@@ -28,10 +30,16 @@ class vtkUnstructuredGrid;
 namespace nephoscope
 {
 
-/** Bytes: 1 for a cell of a grid whose first vertex is even, 2 where it is odd; 3 and 4 likewise for cells of unstructured data; 0 for others. */
+/**
+ * Bytes: 1 for a cell of a grid whose first vertex is even, 2 where it is odd; 3 and 4 likewise for
+ * cells of unstructured data; 0 for others.
+ */
 constexpr const char* divisionName = "NephoscopeDivision";
 
-/** The grid of structured data with cells in three dimensions; empty for all other data. Its seam counts as open. */
+/**
+ * The grid of structured data with cells in three dimensions; empty for all other data. Its seam
+ * counts as open.
+ */
 VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ChessboardGrid FindChessboardGrid(vtkDataSet* data);
 
 /** Parts that belong together: what is even in one is even or odd in the whole. */
@@ -39,9 +47,14 @@ class VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT ColoredParts
 {
 public:
   std::int32_t Add();
-  /** The whole to which a part belongs, named by one of its parts, and 1 if the part is odd there. */
+  /**
+   * The whole to which a part belongs, named by one of its parts, and 1 if the part is odd there.
+   */
   std::pair<std::int32_t, int> Find(std::int32_t part);
-  /** `odd`: what is even in one is odd in the other. False if the two belong together in the other way already. */
+  /**
+   * `odd`: what is even in one is odd in the other. False if the two belong together in the other
+   * way already.
+   */
   bool Join(std::int32_t a, std::int32_t b, int odd);
   std::size_t Count() const { return this->Parents.size(); }
 
@@ -60,9 +73,15 @@ public:
   bool Find();
   /** Wholes share no edge. They are numbered in the order of their first points. */
   std::size_t CountWholes() const { return this->FirstIsOdd.size(); }
-  /** The whole of a point, -1 for one that belongs to no cell, and 1 if it has another colour than the first point. */
+  /**
+   * The whole of a point, -1 for one that belongs to no cell, and 1 if it has another colour than
+   * the first point.
+   */
   std::pair<std::int32_t, int> ColorOf(vtkIdType point);
-  /** Cell by cell 3 where the first vertex is even, 4 where it is odd; `odd`: whether the first point of each whole is. */
+  /**
+   * Cell by cell 3 where the first vertex is even, 4 where it is odd; `odd`: whether the first
+   * point of each whole is.
+   */
   vtkSmartPointer<vtkUnsignedCharArray> MakeDivisions(const std::vector<unsigned char>& odd);
 
 private:
@@ -79,9 +98,10 @@ private:
 };
 
 /**
- * For each cell 3 where its first vertex is even, 4 where it is odd, as divisionName has it. The point with the
- * least number of each connected part is even; parts that touch at coincident points agree there if they can. Null for data that
- * are not unstructured, have the array already, have other cells than hexahedra and voxels, or cannot be coloured.
+ * For each cell 3 where its first vertex is even, 4 where it is odd, as divisionName has it. The
+ * point with the least number of each connected part is even; parts that touch at coincident points
+ * agree there if they can. Null for data that are not unstructured, have the array already, have
+ * other cells than hexahedra and voxels, or cannot be coloured.
  */
 VTKNEPHOSCOPEFILTERSCELLSUBDIVISION_EXPORT vtkSmartPointer<vtkUnsignedCharArray> ChessboardDivision(
   vtkDataSet* data);

@@ -3,12 +3,14 @@
 /**
  * The tetrahedra of a structured grid, found from indices alone.
  *
- * Vertices are even or odd by the sum of their indices, like the squares of a chessboard. A hexahedral cell is divided into
- * the tetrahedron of its four even vertices, and one at each of its odd vertices with that vertex's three neighbours. All edges
- * added run between even vertices, so that cells agree on the diagonals of the faces they share, and diagonals alternate: with the
- * same direction everywhere, clouds would show parallel strokes.
+ * Vertices are even or odd by the sum of their indices, like the squares of a chessboard. A
+ * hexahedral cell is divided into the tetrahedron of its four even vertices, and one at each of its
+ * odd vertices with that vertex's three neighbours. All edges added run between even vertices, so
+ * that cells agree on the diagonals of the faces they share, and diagonals alternate: with the same
+ * direction everywhere, clouds would show parallel strokes.
  *
- * Indices are global (extents count), so that pieces of a grid fit together. shaders/ChessboardTopology.glsl walks through it.
+ * Indices are global (extents count), so that pieces of a grid fit together.
+ * shaders/ChessboardTopology.glsl walks through it.
  */
 #ifndef nephoscope_ChessboardGrid_h
 #define nephoscope_ChessboardGrid_h
@@ -77,7 +79,10 @@ struct ChessboardGrid
     return result;
   }
 
-  /** Point numbers of a cell's tetrahedra: the one between even vertices first; the others begin with their odd vertex. */
+  /**
+   * Point numbers of a cell's tetrahedra: the one between even vertices first; the others begin
+   * with their odd vertex.
+   */
   std::array<std::array<std::int64_t, 4>, TetrahedraPerCell> Tetrahedra(std::int64_t number) const
   {
     const std::array<int, 3> cell = this->CellIndex(number);

@@ -3,9 +3,10 @@
 /**
  * A sorted list of contour values, and where a scalar lies among them.
  *
- * Values v[0] < v[1] < ... divide the line into layers: layer k lies between v[k-1] and v[k]. A scalar has the code 2k inside
- * layer k, and 2k + 1 on the value v[k], between layers k and k + 1. Everything that follows is decided by comparing codes, so that two
- * cells which share a vertex cannot disagree.
+ * Values v[0] < v[1] < ... divide the line into layers: layer k lies between v[k-1] and v[k]. A
+ * scalar has the code 2k inside layer k, and 2k + 1 on the value v[k], between layers k and k + 1.
+ * Everything that follows is decided by comparing codes, so that two cells which share a vertex
+ * cannot disagree.
  */
 #ifndef nephoscope_ContourLevels_h
 #define nephoscope_ContourLevels_h
@@ -24,7 +25,10 @@ class ContourLevels
 public:
   /** Code of a scalar that is not a finite number. */
   static constexpr int MissingCode = -1;
-  /** Values that differ by less than this part of themselves are one value: a layer between them would be nothing but rounding. */
+  /**
+   * Values that differ by less than this part of themselves are one value: a layer between them
+   * would be nothing but rounding.
+   */
   static constexpr double RelativeGap = 1e-12;
 
   ContourLevels() = default;
@@ -84,7 +88,10 @@ private:
   std::vector<int> Indices;
 };
 
-/** Lowest and highest layer of what spans the codes from `least` to `largest`; lowest > highest if all of it is on one value. */
+/**
+ * Lowest and highest layer of what spans the codes from `least` to `largest`; lowest > highest if
+ * all of it is on one value.
+ */
 constexpr int LowestLayer(int least)
 {
   return (least + 1) / 2;

@@ -3,9 +3,10 @@
 /**
  * The scalar at every point and its code among the contour values.
  *
- * A vertex whose scalar differs from a value by rounding alone would be cut off with a piece too small for double precision: its scalar is
- * set to the value. This is done if the difference is less than 1e-12 of the scalar's range in a cell that is cut there, or if
- * the cut would be nearer to the vertex than 64 times the rounding of its coordinates.
+ * A vertex whose scalar differs from a value by rounding alone would be cut off with a piece too
+ * small for double precision: its scalar is set to the value. This is done if the difference is
+ * less than 1e-12 of the scalar's range in a cell that is cut there, or if the cut would be nearer
+ * to the vertex than 64 times the rounding of its coordinates.
  */
 #ifndef nephoscope_ContourScalars_h
 #define nephoscope_ContourScalars_h
@@ -35,7 +36,10 @@ public:
   /** The points whose scalar has been set to a value. */
   const std::vector<vtkIdType>& Snapped() const { return this->Snapped_; }
 
-  /** The adjusted scalar of a vertex of a cell; `range`: the range of the scalar in the cell, whose positions are known. */
+  /**
+   * The adjusted scalar of a vertex of a cell; `range`: the range of the scalar in the cell, whose
+   * positions are known.
+   */
   double Snap(double scalar, double range, const CellTetrahedra& cell) const;
 
 private:

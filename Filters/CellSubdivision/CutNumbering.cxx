@@ -56,7 +56,8 @@ Sorted SortIntoBuckets(const std::vector<PointCut>& cuts, vtkIdType numberOfPoin
   return sorted;
 }
 
-// Sorts a bucket of all batches; returns each cut once, and numbers the cuts from 0 within the bucket.
+// Sorts a bucket of all batches; returns each cut once, and numbers the cuts from 0 within the
+// bucket.
 std::vector<PointCut> NumberBucket(std::size_t bucket, const std::vector<SplitBatch>& batches,
   const std::vector<Sorted>& sorted, std::vector<std::vector<vtkIdType>>& numbers)
 {

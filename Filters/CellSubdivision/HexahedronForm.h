@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// VTK's cells as hexahedra, of which vertices may coincide. Vertices are numbered by bits (x = 1, y = 2, z = 4).
+// VTK's cells as hexahedra, of which vertices may coincide. Vertices are numbered by bits (x = 1, y
+// = 2, z = 4).
 #ifndef nephoscope_HexahedronForm_h
 #define nephoscope_HexahedronForm_h
 

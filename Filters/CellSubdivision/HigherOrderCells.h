@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Higher-order cells as linear cells between their points, for the kinds whose neighbours do not agree on the diagonals of common
- * faces when VTK divides them: quadratic pyramids, and Lagrange and Bezier hexahedra and wedges; and for those that VTK 9.2 does not divide
- * into tetrahedra at all: its Triangulate gives nothing, or wedges, for the four kinds of SplitQuadraticSolid.
+ * Higher-order cells as linear cells between their points, for the kinds whose neighbours do not
+ * agree on the diagonals of common faces when VTK divides them: quadratic pyramids, and Lagrange
+ * and Bezier hexahedra and wedges; and for those that VTK 9.2 does not divide into tetrahedra at
+ * all: its Triangulate gives nothing, or wedges, for the four kinds of SplitQuadraticSolid.
  *
- * Each linear cell goes through DecomposeCell, so that faces are cut by the same rule from both sides.
+ * Each linear cell goes through DecomposeCell, so that faces are cut by the same rule from both
+ * sides.
  */
 #ifndef nephoscope_HigherOrderCells_h
 #define nephoscope_HigherOrderCells_h
@@ -26,11 +28,17 @@
 namespace nephoscope
 {
 
-/** The middle of a quadratic pyramid, between the middles of its edges: two squares and eight triangles. */
+/**
+ * The middle of a quadratic pyramid, between the middles of its edges: two squares and eight
+ * triangles.
+ */
 constexpr int pyramidCoreFaceList[] = { 4, 0, 1, 2, 3, 4, 4, 5, 6, 7, 3, 0, 4, 5, 3, 1, 5, 6, 3, 2,
   6, 7, 3, 3, 7, 4, 3, 0, 3, 4, 3, 1, 0, 5, 3, 2, 1, 6, 3, 3, 2, 7 };
 
-/** Calls emit(faces, points): a linear cell, and its points as the numbers that they have in the quadratic pyramid. */
+/**
+ * Calls emit(faces, points): a linear cell, and its points as the numbers that they have in the
+ * quadratic pyramid.
+ */
 template <typename Emit>
 void SplitQuadraticPyramid(Emit emit)
 {
@@ -63,7 +71,10 @@ void SplitTriquadraticHexahedron(Emit emit)
   }
 }
 
-/** A hexahedron with points in the middle of its edges and of four faces: in each half a wedge at every corner, and a hexahedron between them. */
+/**
+ * A hexahedron with points in the middle of its edges and of four faces: in each half a wedge at
+ * every corner, and a hexahedron between them.
+ */
 template <typename Emit>
 void SplitBiquadraticHexahedron(Emit emit)
 {
@@ -131,8 +142,9 @@ inline void ScalePoints(vtkPoints* points, double factor)
   points->Modified();
 }
 
-// VTK solves systems for the triangulation of a polyhedron, and takes them for singular where edges are shorter than about 1e-10. Small cells are
-// made larger for it by a power of two, which changes no digit.
+// VTK solves systems for the triangulation of a polyhedron, and takes them for singular where edges
+// are shorter than about 1e-10. Small cells are made larger for it by a power of two, which changes
+// no digit.
 inline bool TriangulateByVTK(vtkCell* cell, vtkIdList* ids, vtkPoints* points)
 {
   constexpr double small = 1e-3;

@@ -3,21 +3,25 @@
 /**
  * Whether a polyhedral cell is convex, and whether the division of CellDecomposition.h fills it.
  *
- * A face of more than three vertices is seldom plane: those of dual meshes and of layers that follow the ground are
- * warped. The surface then consists of the triangles into which both neighbours cut the face, and it is not strictly convex
- * where a diagonal lies inside. Two questions replace the strict one:
+ * A face of more than three vertices is seldom plane: those of dual meshes and of layers that
+ * follow the ground are warped. The surface then consists of the triangles into which both
+ * neighbours cut the face, and it is not strictly convex where a diagonal lies inside. Two
+ * questions replace the strict one:
  *
- * 1. Is the cell convex apart from the warp of its faces? No vertex lies further outside the mean plane of a face than
- *    the most warped face's own vertices lie from theirs, nor is that warp more than a part of the cell's size.
- * 2. Does the cone from the least vertex fill the cell? The cones from any point over the triangles of a closed surface,
- *    counted with their signs, add up to the indicator function of the inside: 1 inside, 0 outside. So if no
- *    cone is inverted, none overlaps another, none leaves the cell, and nothing is left out. This holds for warped
- *    faces without exception, and needs no convexity.
+ * 1. Is the cell convex apart from the warp of its faces? No vertex lies further outside the mean
+ *    plane of a face than the most warped face's own vertices lie from theirs, nor is that warp
+ *    more than a part of the cell's size.
+ * 2. Does the cone from the least vertex fill the cell? The cones from any point over the triangles
+ *    of a closed surface, counted with their signs, add up to the indicator function of the inside:
+ *    1 inside, 0 outside. So if no cone is inverted, none overlaps another, none leaves the cell,
+ *    and nothing is left out. This holds for warped faces without exception, and needs no
+ *    convexity.
  *
  * If both answers are yes, the cell is drawn and divided correctly as it is.
  *
- * All lengths are compared with `slack`: PlaneTolerance times the cell's size, for faces that are planar apart from rounding,
- * plus the displacement of the vertices by rounding (eight steps of the number format at the largest coordinate).
+ * All lengths are compared with `slack`: PlaneTolerance times the cell's size, for faces that are
+ * planar apart from rounding, plus the displacement of the vertices by rounding (eight steps of the
+ * number format at the largest coordinate).
  */
 #ifndef nephoscope_PolyhedronConvexity_h
 #define nephoscope_PolyhedronConvexity_h
@@ -40,8 +44,9 @@ inline double SlackOf(const PolyhedronSurface& surface, bool isFloat)
 }
 
 /**
- * Question 2: no tetrahedron of the division is inverted by more than `slack` times the square of the cell's size, which is
- * the volume that a face as large as the cell sweeps when it moves by `slack`.
+ * Question 2: no tetrahedron of the division is inverted by more than `slack` times the square of
+ * the cell's size, which is the volume that a face as large as the cell sweeps when it moves by
+ * `slack`.
  */
 inline bool ConeFillsCell(const PolyhedronSurface& surface, double slack)
 {
@@ -130,7 +135,10 @@ inline Bulge MeasureBulge(const PolyhedronSurface& surface)
   return bulge;
 }
 
-/** Question 1. `warpTolerance`: the largest warp, as a part of the cell's size, that is still called a warp and not a fold. */
+/**
+ * Question 1. `warpTolerance`: the largest warp, as a part of the cell's size, that is still called
+ * a warp and not a fold.
+ */
 inline bool IsConvexButForWarp(const PolyhedronSurface& surface, double slack, double warpTolerance)
 {
   const Bulge bulge = MeasureBulge(surface);

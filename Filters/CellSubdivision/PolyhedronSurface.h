@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The surface of one polyhedral cell: its vertices in the order of CellDecomposition.h's rule, its faces wound outward.
+ * The surface of one polyhedral cell: its vertices in the order of CellDecomposition.h's rule, its
+ * faces wound outward.
  *
- * Files seldom wind the faces of their polyhedra with care, and grids that shrink to a pole have vertices that coincide.
- * Coincident vertices are therefore merged, faces are reversed until neighbours traverse their common edge in opposite
- * directions, and each connected part is oriented as a whole: outer parts have a positive volume, boundaries of cavities
- * a negative one.
+ * Files seldom wind the faces of their polyhedra with care, and grids that shrink to a pole have
+ * vertices that coincide.
+ * Coincident vertices are therefore merged, faces are reversed until neighbours traverse their
+ * common edge in opposite directions, and each connected part is oriented as a whole: outer parts
+ * have a positive volume, boundaries of cavities a negative one.
  *
- * A vertex's number is its rank by coordinates (x, then y, then z), so "least vertex" is "least number", the same
- * for every cell that has the vertex.
+ * A vertex's number is its rank by coordinates (x, then y, then z), so "least vertex" is "least
+ * number", the same for every cell that has the vertex.
  */
 #ifndef nephoscope_PolyhedronSurface_h
 #define nephoscope_PolyhedronSurface_h
@@ -25,7 +27,10 @@
 namespace nephoscope
 {
 
-/** Six times the volume of the tetrahedron (apex, a, b, c): positive where (a, b, c) runs outward as seen from the apex. */
+/**
+ * Six times the volume of the tetrahedron (apex, a, b, c): positive where (a, b, c) runs outward as
+ * seen from the apex.
+ */
 inline double SixVolumes(const Vector3& apex, const Vector3& a, const Vector3& b, const Vector3& c)
 {
   return Dot(Cross(Difference(a, apex), Difference(b, apex)), Difference(c, apex));
@@ -321,7 +326,8 @@ inline double PolyhedronSurface::SixVolumesOfPart(int part)
   return sum;
 }
 
-// By the solid angle under which the part is seen: 4 pi from inside, 0 from outside (VanOosteromStrackee1983).
+// By the solid angle under which the part is seen: 4 pi from inside, 0 from outside
+// (VanOosteromStrackee1983).
 inline bool PolyhedronSurface::IsInside(const Vector3& point, int part)
 {
   double half = 0;

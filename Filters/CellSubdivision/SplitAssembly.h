@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The cells of the output, from all batches: pieces in the order of the input's cells, then the polygons of the surfaces. */
+/**
+ * The cells of the output, from all batches: pieces in the order of the input's cells, then the
+ * polygons of the surfaces.
+ */
 #ifndef nephoscope_SplitAssembly_h
 #define nephoscope_SplitAssembly_h
 

@@ -12,7 +12,8 @@ namespace nephoscope
 {
 namespace
 {
-// VTK 9.7 turned its wedges: the points of their first triangle were counter-clockwise seen from outside.
+// VTK 9.7 turned its wedges: the points of their first triangle were counter-clockwise seen from
+// outside.
 bool WedgeBeginsOutside()
 {
   static const bool beginsOutside = vtkWedge::GetFaceArray(0)[1] == 1;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The cells of one range of the input, divided. Batches are made in parallel, each by one thread, and put together in order, so
- * that the output does not depend on the number of threads.
+ * The cells of one range of the input, divided. Batches are made in parallel, each by one thread,
+ * and put together in order, so that the output does not depend on the number of threads.
  */
 #ifndef nephoscope_SplitBatch_h
 #define nephoscope_SplitBatch_h
@@ -23,8 +23,8 @@ namespace nephoscope
 using PointCut = Cut<vtkIdType>;
 
 /**
- * Output cells. A corner is the number of an input point p; the centre of input cell c, as (number of points) + c; or cut k of
- * the batch, as -1 - k.
+ * Output cells. A corner is the number of an input point p; the centre of input cell c, as (number
+ * of points) + c; or cut k of the batch, as -1 - k.
  */
 struct SplitCells
 {
@@ -75,7 +75,10 @@ struct CellCount
   }
 };
 
-/** An undivided cell that has become a polyhedron: its index among the 3-D cells, and the start of its faces. */
+/**
+ * An undivided cell that has become a polyhedron: its index among the 3-D cells, and the start of
+ * its faces.
+ */
 struct Transition
 {
   vtkIdType Piece;

@@ -241,7 +241,8 @@ void SplitPoints::MarkAsNew(vtkAbstractArray*, vtkAbstractArray* to) const
   }
 }
 
-// A cut is a ghost if both ends are; then all cells about it are ghosts. The centre of a cell has no flags.
+// A cut is a ghost if both ends are; then all cells about it are ghosts. The centre of a cell has
+// no flags.
 void SplitPoints::CombineGhosts(vtkAbstractArray*, vtkAbstractArray* to) const
 {
   auto* flags = vtkUnsignedCharArray::SafeDownCast(to);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The points of the output with their arrays: the input's in their order, the centres of cells, the cuts.
+ * The points of the output with their arrays: the input's in their order, the centres of cells, the
+ * cuts.
  *
- * A cut lies between two points at t = (value - scalar) / (scalar - scalar), counted from the end with the lower scalar, so that it comes
- * out the same wherever the edge is met again.
+ * A cut lies between two points at t = (value - scalar) / (scalar - scalar), counted from the end
+ * with the lower scalar, so that it comes out the same wherever the edge is met again.
  */
 #ifndef nephoscope_SplitPoints_h
 #define nephoscope_SplitPoints_h

@@ -1,20 +1,23 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A tetrahedron with a linear scalar, divided at contour values into tetrahedra, pyramids, wedges and hexahedra.
+ * A tetrahedron with a linear scalar, divided at contour values into tetrahedra, pyramids, wedges
+ * and hexahedra.
  *
- * Its vertices are sorted by code (ContourLevels.h). The part in one layer is a slab between two parallel planes: of the
- * vertices some are below the slab, some inside, some above, which makes fifteen cases. On a face of the tetrahedron the slab is
+ * Its vertices are sorted by code (ContourLevels.h). The part in one layer is a slab between two
+ * parallel planes: of the vertices some are below the slab, some inside, some above, which makes
+ * fifteen cases. On a face of the tetrahedron the slab is
  *
  *     a triangle or a quadrilateral                      which stays whole,
  *     a pentagon, where one vertex is inside,            which is cut as a fan from that vertex;
  *       one below and one above
  *
- * so how a face is divided follows from the face alone, and two tetrahedra that share it agree. The cross sections are triangles
- * or quadrilaterals and stay whole too.
+ * so how a face is divided follows from the face alone, and two tetrahedra that share it agree. The
+ * cross sections are triangles or quadrilaterals and stay whole too.
  *
- * A vertex exactly on a value counts as inside both slabs that it touches. The cut on an edge that starts there is the vertex
- * itself; where corners of a piece become one, the piece becomes a simpler one or vanishes.
+ * A vertex exactly on a value counts as inside both slabs that it touches. The cut on an edge that
+ * starts there is the vertex itself; where corners of a piece become one, the piece becomes a
+ * simpler one or vanishes.
  */
 #ifndef nephoscope_TetrahedronSlabs_h
 #define nephoscope_TetrahedronSlabs_h
@@ -44,7 +47,10 @@ constexpr int NumberOfCorners(PieceShape shape)
   return corners[static_cast<int>(shape)];
 }
 
-/** Corners in VTK's order; those of a wedge in the order before VTK 9.7: its first triangle faces away from the second one. */
+/**
+ * Corners in VTK's order; those of a wedge in the order before VTK 9.7: its first triangle faces
+ * away from the second one.
+ */
 template <typename Corner>
 struct Piece
 {
@@ -54,7 +60,8 @@ struct Piece
 
 namespace slabs
 {
-// Corners of a piece: vertices 0 to 3, cuts of the six edges at the lower and at the upper value of the slab.
+// Corners of a piece: vertices 0 to 3, cuts of the six edges at the lower and at the upper value of
+// the slab.
 enum : signed char
 {
   L01 = 4,
@@ -116,7 +123,8 @@ constexpr Slab table[4][5] = {
 };
 // clang-format on
 
-// The cross section at the lower value, by the number of vertices below it; it faces the higher scalars.
+// The cross section at the lower value, by the number of vertices below it; it faces the higher
+// scalars.
 constexpr Pattern crossSections[4] = {
   { PieceShape::Nothing, {} },
   { PieceShape::Triangle, { L01, L02, L03 } },
@@ -264,8 +272,9 @@ void Simplify(Piece<Corner>& piece)
 }
 
 /**
- * Divides one tetrahedron at all values. Corner is a number of a point: `vertices` are given, sorted by code;
- * cut(i, j, level) gives the one where the edge from vertex i to vertex j crosses a value.
+ * Divides one tetrahedron at all values. Corner is a number of a point: `vertices` are given,
+ * sorted by code; cut(i, j, level) gives the one where the edge from vertex i to vertex j crosses a
+ * value.
  */
 template <typename Corner, typename Cut>
 class TetrahedronSplitter
@@ -280,7 +289,10 @@ public:
     std::copy(vertices.begin(), vertices.end(), this->Corners.begin());
   }
 
-  /** Calls emitPiece(piece, layer) for each part and emitSurface(polygon, level) for each cross section inside. */
+  /**
+   * Calls emitPiece(piece, layer) for each part and emitSurface(polygon, level) for each cross
+   * section inside.
+   */
   template <typename EmitPiece, typename EmitSurface>
   void Split(EmitPiece emitPiece, EmitSurface emitSurface)
   {
@@ -295,7 +307,8 @@ public:
   }
 
 private:
-  // Upper cuts of a layer; the lower ones of the next. A vertex on the value is the cut of its edges, on either side.
+  // Upper cuts of a layer; the lower ones of the next. A vertex on the value is the cut of its
+  // edges, on either side.
   void CutEdges(int level)
   {
     const int code = 2 * level + 1;

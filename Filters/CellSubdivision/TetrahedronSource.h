@@ -3,9 +3,10 @@
 /**
  * The tetrahedra of a dataset's cells, one cell after another. One object per thread.
  *
- * Cells are divided as CellDecomposition.h says, with the vertices in the order of their coordinates (x, then y, then z), which
- * does not depend on numbering, blocks or ranks. Cells of structured data are divided by the indices of their vertices, as
- * ChessboardGrid.h says; so are hexahedra and voxels that have left their grid, if the cell array divisionName tells how.
+ * Cells are divided as CellDecomposition.h says, with the vertices in the order of their
+ * coordinates (x, then y, then z), which does not depend on numbering, blocks or ranks. Cells of
+ * structured data are divided by the indices of their vertices, as ChessboardGrid.h says; so are
+ * hexahedra and voxels that have left their grid, if the cell array divisionName tells how.
  */
 #ifndef nephoscope_TetrahedronSource_h
 #define nephoscope_TetrahedronSource_h
@@ -52,7 +53,10 @@ public:
   {
   }
 
-  /** Ghost flags say not to draw the cell, or it touches a hidden point. Leaves the cell's points in GetPoints(). */
+  /**
+   * Ghost flags say not to draw the cell, or it touches a hidden point. Leaves the cell's points in
+   * GetPoints().
+   */
   bool IsHidden(vtkIdType cell)
   {
     constexpr unsigned char skipped = vtkDataSetAttributes::DUPLICATECELL |
@@ -74,7 +78,8 @@ public:
   vtkIdList* GetPoints() const { return this->Points; }
 
   /**
-   * Finds the shape of the cell last passed to IsHidden. Where it is misnumbered, GetPoints() has its points in the better order from then on;
+   * Finds the shape of the cell last passed to IsHidden. Where it is misnumbered, GetPoints() has
+   * its points in the better order from then on;
    * EmitTetrahedra does this too. Cells of grids count as whole.
    */
   CellShape PutInOrder(vtkIdType cell)
@@ -95,7 +100,10 @@ public:
   /** The shape of the cell last passed to EmitTetrahedra or PutInOrder. */
   CellShape GetShape() const { return this->Shape; }
 
-  /** A quick test of that cell, with rounded places: false may also mean that PutInOrder has to look. */
+  /**
+   * A quick test of that cell, with rounded places: false may also mean that PutInOrder has to
+   * look.
+   */
   template <typename PlaceOfPoint>
   bool PassesQuickTest(PlaceOfPoint placeOfPoint) const
   {
@@ -114,8 +122,8 @@ public:
   void SetFindsShapes(bool finds) { this->FindsShapes = finds; }
 
   /**
-   * Calls emit({a, b, c, d}) with the point numbers of each tetrahedron of the cell last passed to IsHidden. Returns
-   * false when it is no 3-D cell.
+   * Calls emit({a, b, c, d}) with the point numbers of each tetrahedron of the cell last passed to
+   * IsHidden. Returns false when it is no 3-D cell.
    */
   template <typename Emit>
   bool EmitTetrahedra(vtkIdType cell, Emit emit)
@@ -150,8 +158,8 @@ public:
   }
 
   /**
-   * Calls emit({a, b, c}) for each triangle of the polygon last passed to IsHidden, divided like faces of cells. Returns
-   * false when it is no polygon of an unstructured grid.
+   * Calls emit({a, b, c}) for each triangle of the polygon last passed to IsHidden, divided like
+   * faces of cells. Returns false when it is no polygon of an unstructured grid.
    */
   template <typename Emit>
   bool EmitTriangles(Emit emit)
@@ -181,8 +189,9 @@ public:
   }
 
   /**
-   * Whether those tetrahedra fill the cell. For polyhedra, after EmitTetrahedra: true for a non-convex one, which
-   * vtkPolyhedronToTetrahedra should divide first. True if the faces are not closed, so that there is no inside.
+   * Whether those tetrahedra fill the cell. For polyhedra, after EmitTetrahedra: true for a
+   * non-convex one, which vtkPolyhedronToTetrahedra should divide first. True if the faces are not
+   * closed, so that there is no inside.
    */
   bool TetrahedraFillCell()
   {
@@ -204,8 +213,9 @@ public:
   }
 
   /**
-   * The part of the volume of the tetrahedra in which they overlap, 0 to 1, for the cell last passed to EmitTetrahedra: more than rounding
-   * in warped cells, whose tetrahedra are partly inside out. 0 for polyhedra (TetrahedraFillCell) and the cells of grids.
+   * The part of the volume of the tetrahedra in which they overlap, 0 to 1, for the cell last
+   * passed to EmitTetrahedra: more than rounding in warped cells, whose tetrahedra are partly
+   * inside out. 0 for polyhedra (TetrahedraFillCell) and the cells of grids.
    */
   double GetOverlap() const
   {

@@ -71,7 +71,8 @@ void TransitionCells::ConvertBatch(SplitBatch& batch) const
   }
 }
 
-// Appends the number of faces, then the size and the points of each; or nothing, if no face is divided.
+// Appends the number of faces, then the size and the points of each; or nothing, if no face is
+// divided.
 bool TransitionCells::MakeFaces(CellTetrahedra& cell, std::vector<vtkIdType>& stream) const
 {
   const std::size_t start = stream.size();

@@ -3,8 +3,8 @@
 /**
  * Undivided neighbours of divided cells, as polyhedra whose common faces are divided too.
  *
- * A divided cell has triangles where its neighbour, left whole, has a polygon. As a polyhedron the neighbour can have the same
- * triangles, and stay one cell with the points it had.
+ * A divided cell has triangles where its neighbour, left whole, has a polygon. As a polyhedron the
+ * neighbour can have the same triangles, and stay one cell with the points it had.
  */
 #ifndef nephoscope_TransitionCells_h
 #define nephoscope_TransitionCells_h

@@ -217,7 +217,8 @@ bool vtkContourCellSplitter::FindLevels(vtkDataArray* scalars, nephoscope::Conto
   }
   for (double& value : values)
   {
-    // The value rounded to float for a float array, so that the scalar on the cuts equals the value that divides the cells.
+    // The value rounded to float for a float array, so that the scalar on the cuts equals the value
+    // that divides the cells.
     value =
       scalars->GetDataType() == VTK_FLOAT ? static_cast<double>(static_cast<float>(value)) : value;
   }

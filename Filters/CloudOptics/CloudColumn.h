@@ -13,7 +13,8 @@ namespace nephoscope
 {
 namespace column
 {
-// Optical depth from each point to the last one: trapezoids over lengths[i] between the points i and i + 1.
+// Optical depth from each point to the last one: trapezoids over lengths[i] between the points i
+// and i + 1.
 inline std::vector<double> OpticalDepthToEnd(
   const std::vector<double>& extinction, const std::vector<double>& lengths)
 {
@@ -25,8 +26,8 @@ inline std::vector<double> OpticalDepthToEnd(
   return depth;
 }
 
-// Pressure in hydrostatic balance with the temperatures of the column, from that of the standard atmosphere at its lowest point. Without
-// temperatures: the standard atmosphere.
+// Pressure in hydrostatic balance with the temperatures of the column, from that of the standard
+// atmosphere at its lowest point. Without temperatures: the standard atmosphere.
 inline std::vector<double> Pressures(
   const std::vector<double>& heights, const std::vector<double>& temperatures)
 {

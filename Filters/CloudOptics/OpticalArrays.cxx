@@ -175,7 +175,8 @@ struct Column
   std::vector<double> Heights, Temperatures;
 };
 
-// The numbers of the points of a column, from the ground up: heights of the air tell which end is below, also where places are in other units.
+// The numbers of the points of a column, from the ground up: heights of the air tell which end is
+// below, also where places are in other units.
 std::vector<vtkIdType> PointsOfColumn(
   const WaterFields& fields, const UprightOrder& order, std::size_t number)
 {
@@ -226,7 +227,8 @@ std::vector<double> BalancedPressures(const WaterFields& fields, const UprightOr
   return pressures;
 }
 
-// Without columns there is no balance of a point's own air: the standard atmosphere, geopotential and geometric metres alike.
+// Without columns there is no balance of a point's own air: the standard atmosphere, geopotential
+// and geometric metres alike.
 std::vector<double> StandardPressures(vtkDataArray* heights)
 {
   std::vector<double> pressures(static_cast<std::size_t>(heights->GetNumberOfTuples()));

@@ -33,10 +33,16 @@ struct OpticalArrays
   vtkIdType Negative = 0, Missing = 0; // values of water that were taken as 0
 };
 
-/** Structured data in columns, along the third index of the order; of other data it has one level at most. */
+/**
+ * Structured data in columns, along the third index of the order; of other data it has one level at
+ * most.
+ */
 UprightOrder ColumnsOf(vtkDataSet* data, bool onCells);
 
-/** Pressures in pascals, of the pressure array in hydrostatic balance, or without columns of the standard atmosphere; empty where none are needed. */
+/**
+ * Pressures in pascals, of the pressure array in hydrostatic balance, or without columns of the
+ * standard atmosphere; empty where none are needed.
+ */
 std::vector<double> PressuresOf(vtkDataSet* data, const WaterFields& fields);
 
 /** `progress` takes the fraction that is done; false: stop, and the arrays are not complete. */

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Extinction, single-scattering albedo and asymmetry parameter in visible light (0.55 micrometres). Plain C++17. Contents in kg/m3, radii in
-// metres, extinction in 1/m.
+// Extinction, single-scattering albedo and asymmetry parameter in visible light (0.55 micrometres).
+// Plain C++17. Contents in kg/m3, radii in metres, extinction in 1/m.
 #ifndef nephoscope_ParticleOptics_h
 #define nephoscope_ParticleOptics_h
 
@@ -25,7 +25,8 @@ struct Optics
     this->Scattering += extinction * albedo;
     this->Forward += extinction * albedo * asymmetry;
   }
-  // Without water the value is that of droplets of 10 micrometres, so that interpolation at the edge of a cloud changes little.
+  // Without water the value is that of droplets of 10 micrometres, so that interpolation at the
+  // edge of a cloud changes little.
   double Albedo() const { return this->Extinction > 0 ? this->Scattering / this->Extinction : 1.0; }
   double Asymmetry() const
   {
@@ -70,7 +71,8 @@ inline void AddCrystals(Optics& optics, double content, double radius)
   optics.Add(
     Extinction(content, ICE_DENSITY, radius), CrystalAlbedo(), CrystalAsymmetry(1e6 * radius));
 }
-// Large particles: the asymmetry of geometric optics. Drops 0.87 with diffraction; flakes that of the largest crystals.
+// Large particles: the asymmetry of geometric optics. Drops 0.87 with diffraction; flakes that of
+// the largest crystals.
 inline void AddRain(Optics& optics, double content)
 {
   if (content > 0)

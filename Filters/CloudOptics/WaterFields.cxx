@@ -156,7 +156,8 @@ bool IsNamed(const FieldNames& names, Kind kind)
   return !names[kind].empty() && names[kind] != "none";
 }
 
-// "separate ice from liquid and to compute the density of the air"; empty if the water needs no temperature.
+// "separate ice from liquid and to compute the density of the air"; empty if the water needs no
+// temperature.
 std::string PurposesOfTemperature(const WaterFields& fields, bool water, bool pressure)
 {
   std::string text = !water || fields.Has(WaterFields::Total) ? "separate ice from liquid"
@@ -250,7 +251,8 @@ double ToFraction(vtkDataSet* data, vtkDataArray* array)
   return array && (units == "%" || units == "percent" || GreatestOf(array) > 1.5) ? 0.01 : 1.0;
 }
 
-// Without units, by the size of values: clouds are below 120 hPa of height, where kPa are less than 120, and hPa than 2000.
+// Without units, by the size of values: clouds are below 120 hPa of height, where kPa are less than
+// 120, and hPa than 2000.
 double FactorToPascal(vtkDataSet* data, vtkDataArray* array)
 {
   const std::string units = array ? UnitsOf(data->GetFieldData(), array->GetName()) : std::string();

@@ -45,7 +45,10 @@ struct WaterFields
   bool NeedsPressure() const;
 };
 
-/** Names that the user has given: empty, the array is found by the names that models use; "none", it is left out. */
+/**
+ * Names that the user has given: empty, the array is found by the names that models use; "none", it
+ * is left out.
+ */
 using FieldNames = std::array<std::string, WaterFields::NumberOfFields>;
 
 /** Fills `fields`; returns the problem and its remedy, or an empty string. */

@@ -4,23 +4,27 @@
  * @class   vtkCloudOptics
  * @brief   extinction, albedo and asymmetry of clouds from the water of a weather model
  *
- *     any dataset: cloud water, temperature, pressure  ->  vtkCloudOptics  ->  the same, with optical properties in visible light
+ *     any dataset: cloud water, temperature, pressure
+ *         ->  vtkCloudOptics  ->  the same, with optical properties in visible light
  *
- * Each kind of water has the extinction of spheres much larger than the wavelength, beta = 3 q rho / (2 rho_w r_e), with its density rho_w and
- * effective radius r_e; q is a mass mixing ratio and rho the density of the air. The kinds are added (ParticleOptics.h). Extinction is the mean over a cell; with a cloud
- * fraction, radii are computed from the water inside the clouds.
+ * Each kind of water has the extinction of spheres much larger than the wavelength, beta = 3 q rho
+ * / (2 rho_w r_e), with its density rho_w and effective radius r_e; q is a mass mixing ratio and
+ * rho the density of the air. The kinds are added (ParticleOptics.h). Extinction is the mean over a
+ * cell; with a cloud fraction, radii are computed from the water inside the clouds.
  *
- * Arrays are found by the names that models use, unless they are set; "none" leaves one out. Without an array of pressure, it is in hydrostatic
- * balance with heights and temperatures of the columns of structured data, from the standard atmosphere at the lowest point; in data
- * without columns it is that of the standard atmosphere.
+ * Arrays are found by the names that models use, unless they are set; "none" leaves one out.
+ * Without an array of pressure, it is in hydrostatic balance with heights and temperatures of the
+ * columns of structured data, from the standard atmosphere at the lowest point; in data without
+ * columns it is that of the standard atmosphere.
  *
  * Arrays written, float, on points, or on cells where the water is:
- * - Extinction, 1/m of the lengths in the data. If vtkGlobeGrid has exaggerated the heights, it is divided by the exaggeration, so that the
- *   vertical optical depth stays that of the model.
+ * - Extinction, 1/m of the lengths in the data. If vtkGlobeGrid has exaggerated the heights, it is
+ *   divided by the exaggeration, so that the vertical optical depth stays that of the model.
  * - SingleScatteringAlbedo, AsymmetryParameter: of the mixture.
  * - LiquidEffectiveRadius, IceEffectiveRadius, micrometres.
- * - OpticalDepthAbove, ColumnOpticalDepth: from a point to the top of its column, and from the lowest point of the column. Only on points of structured data, whose
- *   columns are along the index that counts upwards.
+ * - OpticalDepthAbove, ColumnOpticalDepth: from a point to the top of its column, and from the
+ *   lowest point of the column. Only on points of structured data, whose columns are along the
+ *   index that counts upwards.
  */
 #ifndef vtkCloudOptics_h
 #define vtkCloudOptics_h
@@ -61,8 +65,10 @@ public:
 
   ///@{
   /**
-   * Names of the arrays of cloud water: the sum of liquid and ice, of which the temperature determines the ice fraction (all ice below -20
-   * degrees Celsius, all liquid above 0, linear in between), or liquid and ice; rain; snow. Empty (default) or "Automatic": found by name. The sum is ignored if its parts are found.
+   * Names of the arrays of cloud water: the sum of liquid and ice, of which the temperature
+   * determines the ice fraction (all ice below -20 degrees Celsius, all liquid above 0, linear in
+   * between), or liquid and ice; rain; snow. Empty (default) or "Automatic": found by name. The sum
+   * is ignored if its parts are found.
    */
   vtkSetMacro(TotalWaterArrayName, std::string);
   vtkGetMacro(TotalWaterArrayName, std::string);
@@ -78,8 +84,9 @@ public:
 
   ///@{
   /**
-   * Names of the arrays of temperature (K; degrees Celsius if its units say so), pressure (Pa or hPa), cloud fraction (0 to 1),
-   * land fraction (0 to 1) and height (m). Empty (default): found by name.
+   * Names of the arrays of temperature (K; degrees Celsius if its units say so), pressure (Pa or
+   * hPa), cloud fraction (0 to 1), land fraction (0 to 1) and height (m). Empty (default): found by
+   * name.
    */
   vtkSetMacro(TemperatureArrayName, std::string);
   vtkGetMacro(TemperatureArrayName, std::string);
@@ -95,7 +102,8 @@ public:
 
   ///@{
   /**
-   * Units of all water arrays. Automatic (default): the units that the reader reports, kg/m3 for arrays named LWC and IWC, otherwise kg/kg.
+   * Units of all water arrays. Automatic (default): the units that the reader reports, kg/m3 for
+   * arrays named LWC and IWC, otherwise kg/kg.
    */
   vtkSetClampMacro(WaterUnits, int, AUTOMATIC, CONTENT_GRAMS);
   vtkGetMacro(WaterUnits, int);
@@ -108,8 +116,10 @@ public:
 
   ///@{
   /**
-   * Radii of droplets: computed from the water inside the cloud and the number of droplets (default), or LiquidRadius everywhere.
-   * Radii of crystals: from temperature and ice inside the cloud (default), or IceRadius everywhere.
+   * Radii of droplets: computed from the water inside the cloud and the number of droplets
+   * (default), or LiquidRadius everywhere.
+   * Radii of crystals: from temperature and ice inside the cloud (default), or IceRadius
+   * everywhere.
    */
   vtkSetClampMacro(LiquidRadiusType, int, PARAMETERIZED, CONSTANT);
   vtkGetMacro(LiquidRadiusType, int);
@@ -126,7 +136,10 @@ public:
   ///@}
 
   ///@{
-  /** Droplets per cm3 over land and over the sea, 1 or more. Defaults 300 and 100. Without a land fraction the surface is sea everywhere. */
+  /**
+   * Droplets per cm3 over land and over the sea, 1 or more. Defaults 300 and 100. Without a land
+   * fraction the surface is sea everywhere.
+   */
   vtkSetClampMacro(DropletsOverLand, double, 1.0, 1e5);
   vtkGetMacro(DropletsOverLand, double);
   vtkSetClampMacro(DropletsOverSea, double, 1.0, 1e5);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The requirements of both filters of this folder on their input and its arrays, and their messages.
+// The requirements of both filters of this folder on their input and its arrays, and their
+// messages.
 #ifndef nephoscope_ArrayChecks_h
 #define nephoscope_ArrayChecks_h
 

@@ -89,7 +89,8 @@ Size FirstOwnCell(vtkDataSet* extended)
   return { first % cellsI, first / cellsI % cellsJ, first / (cellsI * cellsJ) };
 }
 
-// vtkGhostCellsGenerator of VTK 9.2 misses neighbours of rectilinear grids along their first two axes.
+// vtkGhostCellsGenerator of VTK 9.2 misses neighbours of rectilinear grids along their first two
+// axes.
 vtkSmartPointer<vtkDataSet> AsStructuredGrid(vtkRectilinearGrid* grid)
 {
   auto structured = vtkSmartPointer<vtkStructuredGrid>::New();
@@ -166,7 +167,8 @@ void AddNumbers(vtkDataSetAttributes* data, const char* name, vtkIdType first, v
 
 constexpr const char* sourceName = "Sources"; // of points and cells, counted through all grids
 
-// vtkGhostCellsGenerator loses flags of hidden cells, and arrays that are not numbers. It gets only the geometry.
+// vtkGhostCellsGenerator loses flags of hidden cells, and arrays that are not numbers. It gets only
+// the geometry.
 vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(
   const std::vector<vtkDataSet*>& grids, int layers)
 {
@@ -202,7 +204,8 @@ vtkSmartPointer<vtkPartitionedDataSet> ExtendGeometry(
 #endif
 }
 
-// vtkGhostCellsGenerator of VTK 9.2 ends the program if a grid is thinner than the requested layers.
+// vtkGhostCellsGenerator of VTK 9.2 ends the program if a grid is thinner than the requested
+// layers.
 int FewestCells(const std::vector<vtkDataSet*>& grids)
 {
   vtkIdType fewest = std::numeric_limits<int>::max();
@@ -231,7 +234,8 @@ bool AreWithin(vtkIdTypeArray* numbers, vtkIdType count)
   });
 }
 
-// vtkGhostCellsGenerator leaves numbers unset where blocks overlap rather than abut: every point must be where its source is.
+// vtkGhostCellsGenerator leaves numbers unset where blocks overlap rather than abut: every point
+// must be where its source is.
 bool HasItsSources(const std::vector<vtkDataSet*>& grids, const std::vector<vtkIdType>& firstPoint,
   const std::vector<vtkIdType>& firstCell, vtkDataSet* extended)
 {
@@ -274,7 +278,8 @@ double SignedVolume(vtkDataSet* grid, const Size& size, const Size& cell)
   return vtkMath::Determinant3x3(edges[0], edges[1], edges[2]);
 }
 
-// Where a grid overlaps its neighbour, the layers taken from that one turn back into the grid: cells of both orientations.
+// Where a grid overlaps its neighbour, the layers taken from that one turn back into the grid:
+// cells of both orientations.
 bool IsFolded(vtkDataSet* extended)
 {
   const Size size = SizeOf(extended);

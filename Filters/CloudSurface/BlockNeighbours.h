@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The grids of a group that abut. Each is extended by layers of ghost cells from its neighbours, so that smoothed fields and gradients agree
-// on common faces, and surfaces have no crack there.
+// The grids of a group that abut. Each is extended by layers of ghost cells from its neighbours, so
+// that smoothed fields and gradients agree on common faces, and surfaces have no crack there.
 #ifndef nephoscope_BlockNeighbours_h
 #define nephoscope_BlockNeighbours_h
 
@@ -31,7 +31,8 @@ private:
   std::map<vtkDataSet*, vtkSmartPointer<vtkDataSet>> Found;
 };
 
-// The values at the points of `grid`, from an array on `extended`, which is the grid with its ghost cells.
+// The values at the points of `grid`, from an array on `extended`, which is the grid with its ghost
+// cells.
 vtkSmartPointer<vtkDataArray> WithoutGhosts(
   vtkDataSet* grid, vtkDataSet* extended, vtkDataArray* array);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of space that belongs to a grid point: along an axis, on latitudes, and in a hexahedron. Plain C++17.
+// The part of space that belongs to a grid point: along an axis, on latitudes, and in a hexahedron.
+// Plain C++17.
 #ifndef nephoscope_DualCells_h
 #define nephoscope_DualCells_h
 
@@ -13,8 +14,9 @@
 
 namespace nephoscope
 {
-// Length of axis that is nearer to each point than to its neighbours, within the ends. `closingGap`: from the last point to the first of
-// a ring, 0 if the axis is open. One point alone: 1.
+// Length of axis that is nearer to each point than to its neighbours, within the ends.
+// `closingGap`: from the last point to the first of a ring, 0 if the axis is open. One point alone:
+// 1.
 inline std::vector<double> AxisWidths(const std::vector<double>& x, double closingGap = 0.0)
 {
   std::vector<double> widths(x.size(), 0.0);
@@ -36,8 +38,9 @@ inline std::vector<double> AxisWidths(const std::vector<double>& x, double closi
   return widths;
 }
 
-// The outer edge of the last row of latitudes, whose inner edge is halfway to the next: the pole, if it is no farther than 0.8
-// of a step (a row at the pole, half a step from it, or 0.77 of one as on Gaussian grids); else half a step beyond.
+// The outer edge of the last row of latitudes, whose inner edge is halfway to the next: the pole,
+// if it is no farther than 0.8 of a step (a row at the pole, half a step from it, or 0.77 of one as
+// on Gaussian grids); else half a step beyond.
 inline double OuterEdge(double row, double inner)
 {
   const double halfStep = row - inner;
@@ -45,7 +48,8 @@ inline double OuterEdge(double row, double inner)
   return std::abs(pole - row) <= 1.6 * std::abs(halfStep) ? pole : row + halfStep;
 }
 
-// Differences of sin(latitude) between the edges of rows (degrees in), which are halfway between them.
+// Differences of sin(latitude) between the edges of rows (degrees in), which are halfway between
+// them.
 inline std::vector<double> LatitudeWidths(const std::vector<double>& latitude)
 {
   constexpr double radians = 0.017453292519943295769;
@@ -73,9 +77,9 @@ inline std::vector<double> LatitudeWidths(const std::vector<double>& latitude)
   return widths;
 }
 
-// Signed volumes of the eight octants, halved in parameter space, of the trilinear hexahedron with corners p[i + 2 j + 4 k]. The
-// Jacobian determinant is quadratic in each parameter, so three nodes an axis integrate it exactly: over [0, 1/2] with weights
-// 5, 8, -1 (/24) at 0, 1/2, 1.
+// Signed volumes of the eight octants, halved in parameter space, of the trilinear hexahedron with
+// corners p[i + 2 j + 4 k]. The Jacobian determinant is quadratic in each parameter, so three nodes
+// an axis integrate it exactly: over [0, 1/2] with weights 5, 8, -1 (/24) at 0, 1/2, 1.
 class HexahedronOctants
 {
 public:

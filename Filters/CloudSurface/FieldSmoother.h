@@ -5,7 +5,8 @@
 //   PASS 1 along axis 0, as often as the plan asks for near a pole
 //   PASS 2 along axis 1      PASS 3 along axis 2      after each: a row at a pole takes its mean
 //
-// The new value of a point depends on old values only, so the result does not depend on the number of threads.
+// The new value of a point depends on old values only, so the result does not depend on the number
+// of threads.
 #ifndef nephoscope_FieldSmoother_h
 #define nephoscope_FieldSmoother_h
 
@@ -30,7 +31,8 @@ public:
   // 1 where the point is hidden or the field has no value.
   std::vector<unsigned char> MissingPoints(const std::vector<double>& field) const;
 
-  // Makes the field single-valued at coincident points (poles, repeated columns), also without iterations, and smooths it.
+  // Makes the field single-valued at coincident points (poles, repeated columns), also without
+  // iterations, and smooths it.
   // Points that are missing keep their values. Returns false if `keepGoing(share done)` said no.
   bool Smooth(
     std::vector<double>& field, int iterations, const std::function<bool(double)>& keepGoing) const;

@@ -28,7 +28,8 @@ double DistanceOfPoints(
   return Distance(PositionOf(grid, topology, a), PositionOf(grid, topology, b));
 }
 
-// Calls function(at) for the points with index `value` of the axis, until it returns false. True if it never did.
+// Calls function(at) for the points with index `value` of the axis, until it returns false. True if
+// it never did.
 template <typename Function>
 bool OnFace(const GridTopology& topology, int axis, int value, Function&& function)
 {

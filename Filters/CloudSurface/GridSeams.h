@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds where a structured grid closes: a last column that coincides with the first, and rows that are one point.
+// Finds where a structured grid closes: a last column that coincides with the first, and rows that
+// are one point.
 #ifndef nephoscope_GridSeams_h
 #define nephoscope_GridSeams_h
 
@@ -25,14 +26,15 @@ Circle JudgeCircle(const std::vector<double>& degrees);
 // Axes whose last points coincide with the first ones become rings with a repeated point.
 void FindRepeatedPlaces(vtkDataSet* grid, GridTopology& topology);
 
-// Along an axis that is said to be periodic: true if the values of all point arrays at its last points are those at its first ones,
-// and not the same throughout, so that it is no accident.
+// Along an axis that is said to be periodic: true if the values of all point arrays at its last
+// points are those at its first ones, and not the same throughout, so that it is no accident.
 bool RepeatsValues(vtkDataSet* grid, const GridTopology& topology, int axis);
 
 // Ends of one axis at which all points along another axis coincide.
 void FindPoles(vtkDataSet* grid, GridTopology& topology);
 
-// True if the step from the last points to the first is no longer than two of the steps between neighbours.
+// True if the step from the last points to the first is no longer than two of the steps between
+// neighbours.
 bool ClosesInSpace(vtkDataSet* grid, const GridTopology& topology, int axis);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which points of a structured grid are neighbours: axes that close to a ring, a last point that repeats the first one,
-// rows that are one point (a pole). Plain C++17.
+// Which points of a structured grid are neighbours: axes that close to a ring, a last point that
+// repeats the first one, rows that are one point (a pole). Plain C++17.
 #ifndef nephoscope_GridTopology_h
 #define nephoscope_GridTopology_h
 

@@ -61,8 +61,9 @@ public:
     }
   }
 
-  // Slabs of cells share planes of points with the next ones only: even slabs at once, then odd ones, and the last slab of a ring,
-  // which meets the first, alone. So every sum has the same order, whatever the number of threads.
+  // Slabs of cells share planes of points with the next ones only: even slabs at once, then odd
+  // ones, and the last slab of a ring, which meets the first, alone. So every sum has the same
+  // order, whatever the number of threads.
   std::vector<double> Run()
   {
     const int slabs = this->Cells[2];

@@ -17,7 +17,8 @@ namespace nephoscope
 std::vector<double> ProductMasses(
   const GridTopology& topology, const std::array<std::vector<double>, 3>& widths);
 
-// Sum of the octants of all cells at a point. `position(at)` is asked for stored points and for those one beyond the end of a ring.
+// Sum of the octants of all cells at a point. `position(at)` is asked for stored points and for
+// those one beyond the end of a ring.
 // An axis of one point has thickness 1.
 std::vector<double> OctantMasses(
   const GridTopology& topology, const std::function<Vector3(const GridIndex&)>& position);

@@ -41,7 +41,8 @@ bool IsPoleLatitude(double latitude)
   return std::abs(std::abs(latitude) - 90.0) <= 1e-4;
 }
 
-// From the last point of a ring to the first, where the axis does not say: the mean of the steps at both ends.
+// From the last point of a ring to the first, where the axis does not say: the mean of the steps at
+// both ends.
 double ClosingGap(const std::vector<double>& x)
 {
   const std::size_t n = x.size();

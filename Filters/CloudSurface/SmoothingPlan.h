@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Properties of a grid that do not depend on the field: neighbours and their distances, hidden points, masses, and the number of
-// passes for rows near a pole.
+// Properties of a grid that do not depend on the field: neighbours and their distances, hidden
+// points, masses, and the number of passes for rows near a pole.
 #ifndef nephoscope_SmoothingPlan_h
 #define nephoscope_SmoothingPlan_h
 
@@ -20,7 +20,8 @@ namespace nephoscope
 {
 enum class GridCoordinates
 {
-  Automatic, // longitude and latitude if axis 0 is periodic and goes round in 360, and axis 1 stays within +-90
+  Automatic, // longitude and latitude if axis 0 is periodic and goes round in 360, and axis 1 stays
+             // within +-90
   Cartesian,
   LongitudeLatitude // degrees, degrees, level
 };
@@ -38,21 +39,25 @@ struct SmoothingSettings
 class SmoothingPlan
 {
 public:
-  // Returns the problem with the grid and its remedy, or an empty string. The grid must outlive the plan.
+  // Returns the problem with the grid and its remedy, or an empty string. The grid must outlive the
+  // plan.
   std::string Read(vtkDataSet* grid, const SmoothingSettings& settings);
 
   const GridTopology& Topology() const { return this->Topology_; }
 
-  // True if the first and the last point of a ring are neighbours in space too, as on a globe but not on a map.
+  // True if the first and the last point of a ring are neighbours in space too, as on a globe but
+  // not on a map.
   bool ClosesInSpace(int axis) const { return this->ClosedInSpace[axis]; }
 
-  // The mass of every stored point; 0 for points that repeat others, so that sums count each position once.
+  // The mass of every stored point; 0 for points that repeat others, so that sums count each
+  // position once.
   const std::vector<double>& Masses() const { return this->Masses_; }
   vtkIdType PointsWithoutMass() const { return this->WithoutMass; }
 
   bool IsHidden(vtkIdType id) const { return !this->Hidden.empty() && this->Hidden[id] != 0; }
 
-  // (step across / step along)^2 of the row through (0, j, k), the factor on the passes along axis 0; 1 unless Isotropic.
+  // (step across / step along)^2 of the row through (0, j, k), the factor on the passes along axis
+  // 0; 1 unless Isotropic.
   double RowRatio(int j, int k) const
   {
     return this->RowRatios.empty()
@@ -62,7 +67,8 @@ public:
 
   Vector3 Position(const GridIndex& at) const;
 
-  // From a point (distinct indices) to its neighbour, also across the seam. Zero where there is none.
+  // From a point (distinct indices) to its neighbour, also across the seam. Zero where there is
+  // none.
   Vector3 Displacement(int axis, const GridIndex& at, int step) const;
 
   // Position of a point, or of the one after the last of a ring.

@@ -74,8 +74,8 @@ void SurfaceAssembly::Build(vtkDataArray* scalars, const std::vector<double>& va
   this->AddContourIndex(values, indices, output);
 }
 
-// The last point of a ring coincides with the first, and all points of a row at a pole coincide. Keys are bits of the index, which is the same
-// on both sides, since the field is.
+// The last point of a ring coincides with the first, and all points of a row at a pole coincide.
+// Keys are bits of the index, which is the same on both sides, since the field is.
 void SurfaceAssembly::FindJoinedPoints()
 {
   const GridTopology& t = this->Plan.Topology();
@@ -133,7 +133,8 @@ void SurfaceAssembly::KeepTriangles()
   }
 }
 
-// The cell that a triangle was made in, by the indices of its points. Where it lies in a face of two cells, one that is seen is enough.
+// The cell that a triangle was made in, by the indices of its points. Where it lies in a face of
+// two cells, one that is seen is enough.
 bool SurfaceAssembly::IsVisible(const vtkIdType* triangle) const
 {
   if (!this->AnyHidden)
@@ -309,7 +310,8 @@ void SurfaceAssembly::AddContourIndex(
   output->GetCellData()->AddArray(index);
 }
 
-// The two ends of the grid's edge that a contoured point lies on, as distinct indices; twice the same at a grid point.
+// The two ends of the grid's edge that a contoured point lies on, as distinct indices; twice the
+// same at a grid point.
 void SurfaceAssembly::NearestEdge(vtkIdType point, GridIndex& a, GridIndex& b, double& share) const
 {
   double at[3];
@@ -359,7 +361,8 @@ void SurfaceAssembly::AddTriangles(
   }
 }
 
-// All triangles turn the same way in index space; whether that is outwards depends on the hand of the grid's axes. Most of them decide.
+// All triangles turn the same way in index space; whether that is outwards depends on the hand of
+// the grid's axes. Most of them decide.
 bool SurfaceAssembly::FacesInwards(vtkDataArray* normals, vtkPoints* points) const
 {
   std::int64_t votes = 0;

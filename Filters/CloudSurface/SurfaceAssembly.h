@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Converts the triangles that were contoured in index space to the surface of the clouds: drops hidden triangles, merges points at
-// seams and poles, and sets positions, arrays and normals.
+// Converts the triangles that were contoured in index space to the surface of the clouds: drops
+// hidden triangles, merges points at seams and poles, and sets positions, arrays and normals.
 #ifndef nephoscope_SurfaceAssembly_h
 #define nephoscope_SurfaceAssembly_h
 
@@ -23,8 +23,8 @@ public:
 
   void JoinSeams(bool join) { this->Join = join; }
 
-  // Points and arrays of the output. `scalars`: the array that was contoured; `values`: sorted, as they were contoured; `indices`: of each
-  // the index that the user gave it.
+  // Points and arrays of the output. `scalars`: the array that was contoured; `values`: sorted, as
+  // they were contoured; `indices`: of each the index that the user gave it.
   void Build(vtkDataArray* scalars, const std::vector<double>& values,
     const std::vector<int>& indices, vtkPolyData* output);
 

@@ -49,7 +49,8 @@ FieldGradient::Neighbor FieldGradient::Look(int axis, const GridIndex& from, int
   return found;
 }
 
-// The derivative at a point of the parabola through it and two others blends two slopes, from the nearer to the farther one.
+// The derivative at a point of the parabola through it and two others blends two slopes, from the
+// nearer to the farther one.
 FieldGradient::Slope FieldGradient::SlopeAlong(int axis, const GridIndex& at) const
 {
   const Neighbor before = this->Look(axis, at, -1);
@@ -94,9 +95,8 @@ Vector3 FieldGradient::At(const GridIndex& at) const
   }
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (
-      !slopes[axis]
-         .HasValue) // nothing is known along this axis: as if nothing changed at right angles to the others
+    if (!slopes[axis].HasValue) // nothing is known along this axis: as if nothing changed at right
+                                // angles to the others
     {
       slopes[axis].Tangent = Cross(slopes[(axis + 1) % 3].Tangent, slopes[(axis + 2) % 3].Tangent);
     }
@@ -156,9 +156,10 @@ Vector3 FieldGradient::SteepestStep(const GridIndex& at) const
   return (best.Rise > 0.0 ? -1.0 : 1.0) * best.Away;
 }
 
-// A field that rises and falls again within three points has a gradient at a grid point that says nothing of the edge beside it. Where
-// the two disagree in sign, and by much, the slope of the edge, which the surface crosses, is the truth. (By little they also disagree
-// where a smooth surface touches the edge; there the gradient is the better one.)
+// A field that rises and falls again within three points has a gradient at a grid point that says
+// nothing of the edge beside it. Where the two disagree in sign, and by much, the slope of the
+// edge, which the surface crosses, is the truth. (By little they also disagree where a smooth
+// surface touches the edge; there the gradient is the better one.)
 Vector3 FieldGradient::TurnedToEdge(
   const Vector3& gradient, const GridIndex& a, const GridIndex& b) const
 {

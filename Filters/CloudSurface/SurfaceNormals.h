@@ -22,13 +22,16 @@ public:
   {
   }
 
-  // In the space of the grid's coordinates. Derivatives of position and field by the length of path along each axis, with three points
-  // each (second order on uneven steps), so a linear field has its gradient exactly. At a pole, where the axes are none, the plane of
-  // least squares through the next row.
+  // In the space of the grid's coordinates. Derivatives of position and field by the length of path
+  // along each axis, with three points each (second order on uneven steps), so a linear field has
+  // its gradient exactly. At a pole, where the axes are none, the plane of least squares through
+  // the next row.
   Vector3 At(const GridIndex& at) const;
 
-  // Unit vector opposite to the gradient, pointing out of the region above the value, at the fraction `share` of the segment from a to b, the next point along
-  // one axis or the same. Not against the slope from a to b where the field is rough. Where the gradient vanishes at a, the direction of the steepest step down.
+  // Unit vector opposite to the gradient, pointing out of the region above the value, at the
+  // fraction `share` of the segment from a to b, the next point along one axis or the same. Not
+  // against the slope from a to b where the field is rough. Where the gradient vanishes at a, the
+  // direction of the steepest step down.
   Vector3 Outward(const GridIndex& a, const GridIndex& b, double share) const;
 
 private:

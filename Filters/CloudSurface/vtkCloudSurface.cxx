@@ -48,7 +48,8 @@ bool IsFirstPiece(vtkInformation* outInfo)
 
 constexpr double smoothingShare = 0.5; // of the time, about
 
-// The cells that the asked piece has a share of, first and last along each axis. False if there is none.
+// The cells that the asked piece has a share of, first and last along each axis. False if there is
+// none.
 bool CellsOfPiece(
   const nephoscope::SmoothingPlan& plan, vtkInformation* outInfo, std::array<int, 6>& cells)
 {
@@ -255,7 +256,8 @@ bool vtkCloudSurface::BuildSurface(vtkDataSet* input, const nephoscope::Smoothin
   return !this->CheckAbort();
 }
 
-// `field`: smoothed, not a number where nothing is contoured. All pieces have the whole result, so only the first one reports it.
+// `field`: smoothed, not a number where nothing is contoured. All pieces have the whole result, so
+// only the first one reports it.
 std::string vtkCloudSurface::ReasonOfEmptiness(vtkDataArray* scalars,
   const std::vector<double>& field, const std::vector<double>& values, vtkInformation* outInfo)
 {
@@ -315,7 +317,8 @@ void vtkCloudSurface::BeginExecution()
     {
       this->DefaultValue = nephoscope::DefaultContourValue(nephoscope::RangeOfAllPieces(this));
     }
-    // A layer for every pass, one for the gradients, and one for masses, which are less at the end of a grid.
+    // A layer for every pass, one for the gradients, and one for masses, which are less at the end
+    // of a grid.
     this->Neighbours->Find(
       this->GetInputDataObject(0, 0), this->GetNumberOfSmoothingIterations() + 2);
   }

@@ -6,32 +6,41 @@
  *
  *     image, rectilinear or structured grid, a point scalar, values
  *                               |
- *     smooth (vtkStructuredSmoothing) -> contour (vtkFlyingEdges3D) -> drop what is hidden -> join seams and poles -> normals
+ *     smooth (vtkStructuredSmoothing) -> contour (vtkFlyingEdges3D) -> drop what is hidden -> join
+ *     seams and poles -> normals
  *                               |
  *     vtkPolyData: triangles, all point arrays, Normals, ContourIndex
  *
- * Max, Crawfis and Becker, "New Techniques in 3D Scalar and Vector Field Visualization", Pacific Graphics 1993, section 4, draw clouds as
- * contour surfaces of the smoothed cloud fraction. Only the contoured array is smoothed; all other arrays are interpolated without smoothing.
+ * Max, Crawfis and Becker, "New Techniques in 3D Scalar and Vector Field Visualization", Pacific
+ * Graphics 1993, section 4, draw clouds as contour surfaces of the smoothed cloud fraction. Only
+ * the contoured array is smoothed; all other arrays are interpolated without smoothing.
  *
- * 1. Smooth, in double precision. Points with the same position (the seam and the poles of vtkGlobeGrid's output) get one value.
- * 2. Contour in index space, where every structured grid is an image, so that VTK's fastest filter can be used; positions
- *    and arrays are interpolated along the edges of the grid.
- * 3. Drop the triangles in cells that are hidden (HIDDENCELL, or a corner HIDDENPOINT), are ghosts of another piece (DUPLICATECELL) or have a
- *    corner without a value.
- * 4. Points on both sides of a seam, and those of a row at a pole, become one: the surface is closed there. Arrays that jump at the seam,
- *    such as a longitude, keep the value of the first column.
- * 5. Normals: opposite to the gradient of the smoothed field in the space of the grid, and therefore out of the cloud if the field is
- *    higher inside. They are not means of the triangles' normals. Triangles face the same way (right-hand rule).
+ * 1. Smooth, in double precision. Points with the same position (the seam and the poles of
+ *    vtkGlobeGrid's output) get one value.
+ * 2. Contour in index space, where every structured grid is an image, so that VTK's fastest filter
+ *    can be used; positions and arrays are interpolated along the edges of the grid.
+ * 3. Drop the triangles in cells that are hidden (HIDDENCELL, or a corner HIDDENPOINT), are ghosts
+ *    of another piece (DUPLICATECELL) or have a corner without a value.
+ * 4. Points on both sides of a seam, and those of a row at a pole, become one: the surface is
+ *    closed there. Arrays that jump at the seam, such as a longitude, keep the value of the first
+ *    column.
+ * 5. Normals: opposite to the gradient of the smoothed field in the space of the grid, and
+ *    therefore out of the cloud if the field is higher inside. They are not means of the triangles'
+ *    normals. Triangles face the same way (right-hand rule).
  *
- * Point arrays written: those of the input, under the same names. The contoured array has the value of the contour (float if it is float,
- * otherwise double). Numbers are interpolated linearly (integers to float, as VTK does); text, bits and ids come from the nearer point; Normals, float, 3 components,
- * of length 1. vtkGhostType is not passed on. Cell array written: ContourIndex, int, the index i of the value, as in SetValue(i, v).
+ * Point arrays written: those of the input, under the same names. The contoured array has the value
+ * of the contour (float if it is float, otherwise double). Numbers are interpolated linearly
+ * (integers to float, as VTK does); text, bits and ids come from the nearer point; Normals, float,
+ * 3 components, of length 1. vtkGhostType is not passed on. Cell array written: ContourIndex, int,
+ * the index i of the value, as in SetValue(i, v).
  * Coordinates have the precision of the input's points; double for images and rectilinear grids.
  *
- * Adjacent grids of a group are smoothed and contoured as one grid: each gets ghost cells from its neighbours (on the same process and with
- * the same arrays), so that the surface has no crack between them.
+ * Adjacent grids of a group are smoothed and contoured as one grid: each gets ghost cells from its
+ * neighbours (on the same process and with the same arrays), so that the surface has no crack
+ * between them.
  *
- * In parallel each process requests the whole input and contours its part of the cells; the pieces fit together and have the same normals.
+ * In parallel each process requests the whole input and contours its part of the cells; the pieces
+ * fit together and have the same normals.
  * The result does not depend on the number of threads.
  */
 #ifndef vtkCloudSurface_h
@@ -65,9 +74,9 @@ public:
 
   ///@{
   /**
-   * The contour values, finite, in the unit of the scalar, in any order; duplicates count once. As in vtkContourFilter, the
-   * default is the single value 0. SetInputArrayToProcess selects the scalar (a point array of one component); the default is the
-   * active point scalars.
+   * The contour values, finite, in the unit of the scalar, in any order; duplicates count once. As
+   * in vtkContourFilter, the default is the single value 0. SetInputArrayToProcess selects the
+   * scalar (a point array of one component); the default is the active point scalars.
    */
   void SetValue(int i, double value);
   double GetValue(int i) { return this->ContourValues->GetValue(i); }
@@ -93,7 +102,8 @@ public:
 
   ///@{
   /**
-   * Number of times the 3 x 3 x 3 filter is applied before contouring, 0 or more. Default 1. See vtkStructuredSmoothing.
+   * Number of times the 3 x 3 x 3 filter is applied before contouring, 0 or more. Default 1. See
+   * vtkStructuredSmoothing.
    */
   void SetNumberOfSmoothingIterations(int number)
   {
@@ -104,8 +114,9 @@ public:
 
   ///@{
   /**
-   * Settings of the smoothing and of periodic axes, as in vtkStructuredSmoothing. A periodic structured grid whose last points
-   * are neighbours of the first points in space gets a row of cells between them.
+   * Settings of the smoothing and of periodic axes, as in vtkStructuredSmoothing. A periodic
+   * structured grid whose last points are neighbours of the first points in space gets a row of
+   * cells between them.
    */
   void SetPeriodic(int axis, bool periodic) { this->Smoothing->SetPeriodic(axis, periodic); }
   bool GetPeriodic(int axis) { return this->Smoothing->GetPeriodic(axis); }
@@ -144,8 +155,9 @@ public:
 
   ///@{
   /**
-   * On (default): points of a seam or a pole with the same position are merged. Off: each column keeps its own points, so that
-   * arrays that are discontinuous there, such as texture coordinates, are correct on both sides.
+   * On (default): points of a seam or a pole with the same position are merged. Off: each column
+   * keeps its own points, so that arrays that are discontinuous there, such as texture coordinates,
+   * are correct on both sides.
    */
   vtkSetMacro(JoinSeams, bool);
   vtkGetMacro(JoinSeams, bool);

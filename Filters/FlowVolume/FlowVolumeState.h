@@ -48,7 +48,8 @@ struct StreakState
   vtkMTimeType MTime = 0; // of the pipeline when it was begun
 };
 
-// What the automatic duration and time step of steady smoke follow from; found once for all times of a series.
+// What the automatic duration and time step of steady smoke follow from; found once for all times
+// of a series.
 struct CrossingTime
 {
   double Seconds = 0.0;    // in which the flow at the polygon crosses the data; 0: not yet found

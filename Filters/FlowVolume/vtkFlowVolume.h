@@ -10,42 +10,51 @@
  *                                            |
  *             vtkUnstructuredGrid of tetrahedra, EmissionStep, Age, Density
  *
- * The flow volume of MaxBeckerCrawfis1993 (N. Max, B. Becker, R. Crawfis, "Flow Volumes for Interactive Vector
- * Field Visualization", IEEE Visualization 1993) and of section 6 of MaxCrawfisBecker1993:
+ * The flow volume of MaxBeckerCrawfis1993 (N. Max, B. Becker, R. Crawfis, "Flow Volumes for
+ * Interactive Vector Field Visualization", IEEE Visualization 1993) and of section 6 of
+ * MaxCrawfisBecker1993:
  *
  * 1. Divide the polygon into triangles.
- * 2. Move its points along the flow, layer by layer. Before a step, edges that would get too long are divided and edges
- *    that have become short are merged; steps in which the flow turns, spreads or diverges too much are halved.
- * 3. Divide the prisms between layers into tetrahedra that fit their neighbours: no cracks, no hanging points.
+ * 2. Move its points along the flow, layer by layer. Before a step, edges that would get too long
+ *    are divided and edges that have become short are merged; steps in which the flow turns,
+ *    spreads or diverges too much are halved.
+ * 3. Divide the prisms between layers into tetrahedra that fit their neighbours: no cracks, no
+ *    hanging points.
  * 4. Give every prism its density, the emitted mass over its volume.
  * 5. Interpolate every point array of the input to the points.
  *
- * Steady: the flow of the current time step. A prism ends as a whole where one of its corners leaves the data or
- * meets a blanked cell; the rest of the layer continues, so a volume divides at an obstacle.
- * Unsteady: the volume of the smoke released from the start to the current time (streaklines), from a time series that
- * is read once, step by step.
+ * Steady: the flow of the current time step. A prism ends as a whole where one of its corners
+ * leaves the data or meets a blanked cell; the rest of the layer continues, so a volume divides at
+ * an obstacle.
+ * Unsteady: the volume of the smoke released from the start to the current time (streaklines), from
+ * a time series that is read once, step by step.
  *
- * The velocity is the array chosen with SetInputArrayToProcess(0, ...): three components, in units of length of the
- * dataset per second. Without a choice it is DisplayVelocity (of vtkGlobeGrid) if there is one, else the active vectors,
- * else the only array of three components; arrays on points come before arrays on cells. Composite datasets are one field.
+ * The velocity is the array chosen with SetInputArrayToProcess(0, ...): three components, in units
+ * of length of the dataset per second. Without a choice it is DisplayVelocity (of vtkGlobeGrid) if
+ * there is one, else the active vectors, else the only array of three components; arrays on points
+ * come before arrays on cells. Composite datasets are one field.
  *
  * Cell arrays written:
- * - EmissionStep, int. Steady: number of time steps since the smoke left the polygon. Unsteady: the time step in which it left.
+ * - EmissionStep, int. Steady: number of time steps since the smoke left the polygon. Unsteady: the
+ *   time step in which it left.
  * - Age, double, s: time since the smoke left the polygon, in the middle of the cell's step.
- * - Density, double: InitialDensity times emitted volume over present volume. The sum over cells of density times volume is
- *   the emitted mass.
+ * - Density, double: InitialDensity times emitted volume over present volume. The sum over cells of
+ *   density times volume is the emitted mass.
  * Point arrays written, besides those of the input:
  * - Age, double, s, at the point. It replaces an input array of that name, with a warning.
- * - SmoothDensity, double: the mean Density of the cells at the point, by their volume, for drawing. Interpolated linearly it has the same mass.
- * Field data are passed on. Unsteady smoke has one more field array, of one double: InitialDensity, to which drawing refers the
- * density, so that the pictures of a film are comparable.
+ * - SmoothDensity, double: the mean Density of the cells at the point, by their volume, for
+ *   drawing. Interpolated linearly it has the same mass.
+ * Field data are passed on. Unsteady smoke has one more field array, of one double: InitialDensity,
+ * to which drawing refers the density, so that the pictures of a film are comparable.
  *
- * Moving the polygon or changing a setting is fast: the search structure of the input is kept until the input changes.
+ * Moving the polygon or changing a setting is fast: the search structure of the input is kept until
+ * the input changes.
  *
- * These give an error and an empty output: no velocity; negative or infinite settings; more than a million time steps; a polygon
- * without area, wholly outside the data, in blanked cells, where the velocity is not a number or zero, or parallel to the flow.
- * Warnings report a polygon that is partly outside, a volume that is coarser than requested because of MaximumNumberOfTetrahedra, and
- * a volume that ended at once.
+ * These give an error and an empty output: no velocity; negative or infinite settings; more than a
+ * million time steps; a polygon without area, wholly outside the data, in blanked cells, where the
+ * velocity is not a number or zero, or parallel to the flow.
+ * Warnings report a polygon that is partly outside, a volume that is coarser than requested because
+ * of MaximumNumberOfTetrahedra, and a volume that ended at once.
  */
 #ifndef vtkFlowVolume_h
 #define vtkFlowVolume_h
@@ -92,8 +101,8 @@ public:
   };
 
   /**
-   * The generating polygon (port 1): polygons of a vtkPolyData, planar, convex or not. Without a connection it is the regular
-   * polygon described by Center, Radius, NumberOfSides and Normal.
+   * The generating polygon (port 1): polygons of a vtkPolyData, planar, convex or not. Without a
+   * connection it is the regular polygon described by Center, Radius, NumberOfSides and Normal.
    */
   void SetPolygonConnection(vtkAlgorithmOutput* polygon);
 
@@ -104,7 +113,10 @@ public:
   ///@}
 
   ///@{
-  /** Circumradius of the regular polygon; 0 (default): 1/50 of the diagonal of the bounds of the input. */
+  /**
+   * Circumradius of the regular polygon; 0 (default): 1/50 of the diagonal of the bounds of the
+   * input.
+   */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
@@ -116,7 +128,10 @@ public:
   ///@}
 
   ///@{
-  /** Normal of the regular polygon; need not have unit length. Ignored with NormalToFlow. Default (0, 0, 1). */
+  /**
+   * Normal of the regular polygon; need not have unit length. Ignored with NormalToFlow. Default
+   * (0, 0, 1).
+   */
   vtkSetVector3Macro(Normal, double);
   vtkGetVector3Macro(Normal, double);
   ///@}
@@ -130,8 +145,9 @@ public:
 
   ///@{
   /**
-   * Turns the generating polygon about its centre until its normal is the direction of the flow there: on (1), off (0), or, the
-   * default (2), the regular polygon only, while a polygon from port 1 keeps its orientation.
+   * Turns the generating polygon about its centre until its normal is the direction of the flow
+   * there: on (1), off (0), or, the default (2), the regular polygon only, while a polygon from
+   * port 1 keeps its orientation.
    */
   vtkSetClampMacro(NormalToFlow, int, AS_GIVEN, NORMAL_UNLESS_GIVEN);
   vtkGetMacro(NormalToFlow, int);
@@ -139,16 +155,20 @@ public:
   ///@}
 
   ///@{
-  /** Maximum edge length of the triangles of the generating polygon; 0 (default): a quarter of the polygon's longest extent. */
+  /**
+   * Maximum edge length of the triangles of the generating polygon; 0 (default): a quarter of the
+   * polygon's longest extent.
+   */
   vtkSetMacro(PolygonEdgeLength, double);
   vtkGetMacro(PolygonEdgeLength, double);
   ///@}
 
   ///@{
   /**
-   * Time for which the smoke flows, in seconds; 0 (default): the time in which the flow at the polygon crosses half the diagonal
-   * of the bounds, found once for all times of a series unless the flow becomes four times as fast or as slow. Unsteady: older smoke is dropped; 0
-   * keeps all smoke.
+   * Time for which the smoke flows, in seconds; 0 (default): the time in which the flow at the
+   * polygon crosses half the diagonal of the bounds, found once for all times of a series unless
+   * the flow becomes four times as fast or as slow. Unsteady: older smoke is dropped; 0 keeps all
+   * smoke.
    */
   vtkSetMacro(Duration, double);
   vtkGetMacro(Duration, double);
@@ -156,9 +176,11 @@ public:
 
   ///@{
   /**
-   * Time between two layers, in seconds; 0 (default): 1/64 of the duration, and no longer than the flow at the polygon takes for
-   * 1/32 of the diagonal of the bounds; unsteady: 1/64 of the time from the start to the last time step. Longer if
-   * MaximumNumberOfTetrahedra requires it, or if the duration would take more than a million steps; more than two million give a warning. The cost is inversely proportional to it.
+   * Time between two layers, in seconds; 0 (default): 1/64 of the duration, and no longer than the
+   * flow at the polygon takes for 1/32 of the diagonal of the bounds; unsteady: 1/64 of the time
+   * from the start to the last time step. Longer if MaximumNumberOfTetrahedra requires it, or if
+   * the duration would take more than a million steps; more than two million give a warning. The
+   * cost is inversely proportional to it.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
@@ -166,30 +188,38 @@ public:
 
   ///@{
   /**
-   * Longer edges of a layer are split; 0 (default): three times the polygon's longest edge; unsteady: or three times the distance
-   * that the flow covers in a time step, if that is longer. Longer if MaximumNumberOfTetrahedra requires it.
+   * Longer edges of a layer are split; 0 (default): three times the polygon's longest edge;
+   * unsteady: or three times the distance that the flow covers in a time step, if that is longer.
+   * Longer if MaximumNumberOfTetrahedra requires it.
    */
   vtkSetMacro(MaximumEdgeLength, double);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
   ///@{
-  /** Shorter edges of a layer, where streamlines converge, are collapsed; 0 (default): never. Keep it below a third of MaximumEdgeLength. Not used for unsteady smoke. */
+  /**
+   * Shorter edges of a layer, where streamlines converge, are collapsed; 0 (default): never. Keep
+   * it below a third of MaximumEdgeLength. Not used for unsteady smoke.
+   */
   vtkSetMacro(MinimumEdgeLength, double);
   vtkGetMacro(MinimumEdgeLength, double);
   ///@}
 
   ///@{
   /**
-   * A time step is halved if the path of a vertex turns by more than this angle, in degrees; 0: never. Default 15, which gives an
-   * error of about 1 % (1 - sin a / a) in the volume of a prism. Not used for unsteady smoke.
+   * A time step is halved if the path of a vertex turns by more than this angle, in degrees; 0:
+   * never. Default 15, which gives an error of about 1 % (1 - sin a / a) in the volume of a prism.
+   * Not used for unsteady smoke.
    */
   vtkSetClampMacro(MaximumTurnAngle, double, 0.0, 180.0);
   vtkGetMacro(MaximumTurnAngle, double);
   ///@}
 
   ///@{
-  /** Runge-Kutta of fourth order with fixed steps (default), or Runge-Kutta 4-5 with adaptive steps, controlled by Tolerance. */
+  /**
+   * Runge-Kutta of fourth order with fixed steps (default), or Runge-Kutta 4-5 with adaptive steps,
+   * controlled by Tolerance.
+   */
   vtkSetClampMacro(Integrator, int, RUNGE_KUTTA_4, RUNGE_KUTTA_45);
   vtkGetMacro(Integrator, int);
   void SetIntegratorToRungeKutta4() { this->SetIntegrator(RUNGE_KUTTA_4); }
@@ -197,21 +227,27 @@ public:
   ///@}
 
   ///@{
-  /** Error tolerance of one step of RungeKutta45, relative to the polygon's longest edge. Default 1e-6. */
+  /**
+   * Error tolerance of one step of RungeKutta45, relative to the polygon's longest edge. Default
+   * 1e-6.
+   */
   vtkSetClampMacro(Tolerance, double, 1e-14, 1.0);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
   /**
-   * Off (default): the flow of the current time step. On: smoke released throughout a time series, up to the requested time (the
-   * last one, if none is requested). Going forward in time, every time step is read once, and two are in memory; going back or
-   * changing a setting starts again. Between time steps the velocity is linear in time. The generating polygon is that of the
-   * start time. Ignored, with a warning, if the input has fewer than two time steps.
+   * Off (default): the flow of the current time step. On: smoke released throughout a time series,
+   * up to the requested time (the last one, if none is requested). Going forward in time, every
+   * time step is read once, and two are in memory; going back or changing a setting starts again.
+   * Between time steps the velocity is linear in time. The generating polygon is that of the start
+   * time. Ignored, with a warning, if the input has fewer than two time steps.
    *
-   * Every TimeStep seconds a layer is released, and all layers move with the flow. Edges of tetrahedra that become longer than
-   * MaximumEdgeLength (and than those of the polygon's triangles) are halved, with all adjacent tetrahedra; MinimumEdgeLength and MaximumTurnAngle are not used. A tetrahedron
-   * ends when one of its corners leaves the data. Until then it keeps its mass: Density is mass over volume.
+   * Every TimeStep seconds a layer is released, and all layers move with the flow. Edges of
+   * tetrahedra that become longer than MaximumEdgeLength (and than those of the polygon's
+   * triangles) are halved, with all adjacent tetrahedra; MinimumEdgeLength and MaximumTurnAngle are
+   * not used. A tetrahedron ends when one of its corners leaves the data. Until then it keeps its
+   * mass: Density is mass over volume.
    */
   vtkSetMacro(Unsteady, bool);
   vtkGetMacro(Unsteady, bool);
@@ -219,13 +255,19 @@ public:
   ///@}
 
   ///@{
-  /** Unsteady: time of the first release, in the pipeline's unit. Before the first time step (the default): that step. */
+  /**
+   * Unsteady: time of the first release, in the pipeline's unit. Before the first time step (the
+   * default): that step.
+   */
   vtkSetMacro(StartTime, double);
   vtkGetMacro(StartTime, double);
   ///@}
 
   ///@{
-  /** Unsteady: seconds per unit of the pipeline's time, 3600 for time steps in hours. Greater than 0; default 1. */
+  /**
+   * Unsteady: seconds per unit of the pipeline's time, 3600 for time steps in hours. Greater than
+   * 0; default 1.
+   */
   vtkSetMacro(TimeScale, double);
   vtkGetMacro(TimeScale, double);
   ///@}
@@ -238,10 +280,10 @@ public:
 
   ///@{
   /**
-   * Maximum number of tetrahedra in the volume. If it would have more, the filter computes it again with longer edges of the
-   * layers, a polygon of fewer triangles or longer steps, until the whole duration fits. It warns, unless these settings were
-   * automatic and this number is at least the default. Unsteady: fewer edges are split. Default 100,000, which take some tenths
-   * of a second.
+   * Maximum number of tetrahedra in the volume. If it would have more, the filter computes it again
+   * with longer edges of the layers, a polygon of fewer triangles or longer steps, until the whole
+   * duration fits. It warns, unless these settings were automatic and this number is at least the
+   * default. Unsteady: fewer edges are split. Default 100,000, which take some tenths of a second.
    */
   vtkSetClampMacro(MaximumNumberOfTetrahedra, vtkIdType, 1, VTK_ID_MAX);
   vtkGetMacro(MaximumNumberOfTetrahedra, vtkIdType);
@@ -249,8 +291,9 @@ public:
 
   ///@{
   /**
-   * Results of the last update: the mean normal of the generating polygon after NormalToFlow; duration and time step in
-   * seconds, and the longest edge that was not divided, also where they were chosen automatically or coarsened. Zero after an error.
+   * Results of the last update: the mean normal of the generating polygon after NormalToFlow;
+   * duration and time step in seconds, and the longest edge that was not divided, also where they
+   * were chosen automatically or coarsened. Zero after an error.
    */
   vtkGetVector3Macro(NormalUsed, double);
   vtkGetMacro(DurationUsed, double);
@@ -260,10 +303,13 @@ public:
 
   ///@{
   /**
-   * Results of the last update, in InitialDensity times volume of the dataset: the mass that has come from the polygon, the part of
-   * it that has left the data, met a blanked cell or is in cells without volume (which are left out), and the part that is older than Duration (unsteady). What is left is the sum of
-   * Density times volume. ObstacleMass is the part of LostMass of a steady flow that ended at obstacles inside the data: bodies, blanked
-   * cells or values that are not numbers, with data again ahead of them. If it is more than 1 % of EmittedMass, a warning says so. FoldedMass is the mass of prisms that ended because the flow would have folded them, even
+   * Results of the last update, in InitialDensity times volume of the dataset: the mass that has
+   * come from the polygon, the part of it that has left the data, met a blanked cell or is in cells
+   * without volume (which are left out), and the part that is older than Duration (unsteady). What
+   * is left is the sum of Density times volume. ObstacleMass is the part of LostMass of a steady
+   * flow that ended at obstacles inside the data: bodies, blanked cells or values that are not
+   * numbers, with data again ahead of them. If it is more than 1 % of EmittedMass, a warning says
+   * so. FoldedMass is the mass of prisms that ended because the flow would have folded them, even
    * in the shortest step.
    */
   vtkGetMacro(EmittedMass, double);
@@ -275,8 +321,8 @@ public:
 
   ///@{
   /**
-   * The ranks that share the input and the polygon: all of them compute the same volume, and each outputs a part of it. Default:
-   * the global controller. Null: this process only.
+   * The ranks that share the input and the polygon: all of them compute the same volume, and each
+   * outputs a part of it. Default: the global controller. Null: this process only.
    */
   virtual void SetController(vtkMultiProcessController*);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);

@@ -81,7 +81,8 @@ std::vector<Candidate> Candidates(
   return candidates;
 }
 
-// Gives each the greatest of the radii, halved up to 7 times, whose polygon is inside the data; else the least.
+// Gives each the greatest of the radii, halved up to 7 times, whose polygon is inside the data;
+// else the least.
 void FitRadii(const DataSetField& field, const PolygonPoints& polygon, double radius,
   std::vector<Candidate>& candidates)
 {
@@ -99,7 +100,8 @@ void FitRadii(const DataSetField& field, const PolygonPoints& polygon, double ra
   }
 }
 
-// The first of the sorted candidates whose polygon is inside, with the greatest radius for which there is one.
+// The first of the sorted candidates whose polygon is inside, with the greatest radius for which
+// there is one.
 Candidate FirstThatFits(const DataSetField& field, const PolygonPoints& polygon,
   const std::vector<Candidate>& candidates, double radius)
 {
@@ -124,8 +126,8 @@ Candidate FirstThatFits(const DataSetField& field, const PolygonPoints& polygon,
   return least;
 }
 
-// The fastest place with room around it, in steps of 5 % of speed times room, that holds the largest polygon; of those that are as good the
-// nearest to the middle.
+// The fastest place with room around it, in steps of 5 % of speed times room, that holds the
+// largest polygon; of those that are as good the nearest to the middle.
 Candidate Fastest(const DataSetField& field, const PolygonPoints& polygon,
   std::vector<Candidate> candidates, double radius)
 {

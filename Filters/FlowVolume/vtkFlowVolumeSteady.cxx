@@ -28,7 +28,8 @@
 
 namespace
 {
-// A sentence for the air of a whole globe whose heights are hardly exaggerated: it is thinner than any smoke that can be seen.
+// A sentence for the air of a whole globe whose heights are hardly exaggerated: it is thinner than
+// any smoke that can be seen.
 std::string RemedyForThinAir(vtkDataObject* data)
 {
   constexpr double little = 10.0;
@@ -103,7 +104,8 @@ void vtkFlowVolume::MakeSteadyVolume(
     output);
 }
 
-// Another would make the smoke of a film longer and shorter. A flow that has become four times as fast or as slow needs another all the same.
+// Another would make the smoke of a film longer and shorter. A flow that has become four times as
+// fast or as slow needs another all the same.
 double vtkFlowVolume::FindCrossingTime(
   const nephoscope::FlowField& field, const nephoscope::PolygonFlow& flow)
 {
@@ -190,7 +192,8 @@ void vtkFlowVolume::WarnOfManySteps(double duration)
     << " s. Shorten Duration, to " << usual * maximumNumberOfSteps << " s or less.");
 }
 
-// Automatic settings give a volume of moderate size; explicit requests that cannot be met are reported, and what is much coarser.
+// Automatic settings give a volume of moderate size; explicit requests that cannot be met are
+// reported, and what is much coarser.
 bool vtkFlowVolume::IsSizeAutomatic() const
 {
   return this->TimeStep == 0.0 && this->PolygonEdgeLength == 0.0 &&

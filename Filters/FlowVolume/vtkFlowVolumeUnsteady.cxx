@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of vtkFlowVolume that follows a time series: which time step is read next, and what is done with it.
+// The part of vtkFlowVolume that follows a time series: which time step is read next, and what is
+// done with it.
 //
 //   RequestInformation    the times of the series
 //   RequestUpdateExtent   PlanReading: begin anew, go on, or nothing to read
-//   RequestData           ReadTimeStep, BeginStreak once, AdvanceStreak; again (CONTINUE_EXECUTING) until the requested time
-//                         lies within the steps that have been read; WriteStreak
+//   RequestData           ReadTimeStep, BeginStreak once, AdvanceStreak; again
+//                         (CONTINUE_EXECUTING) until the requested time lies within the steps
+//                         that have been read; WriteStreak
 #include "vtkFlowVolume.h"
 
 #include "ArrayBlend.h"
@@ -174,7 +176,8 @@ void vtkFlowVolume::PlanReading(vtkInformation* output)
   this->MakeRoom();
 }
 
-// The last step read becomes the first of two, and what was first is freed before the input makes the next.
+// The last step read becomes the first of two, and what was first is freed before the input makes
+// the next.
 void vtkFlowVolume::MakeRoom()
 {
   auto& streak = this->State->Streak;
@@ -328,8 +331,9 @@ std::unique_ptr<nephoscope::VelocityField> vtkFlowVolume::StreakVelocity() const
     time(streak.LastRead));
 }
 
-// To the requested time or, if that is later, to the last step read. Stops are the steps and the times of release, whatever
-// times are requested, so that an animation and a direct request give the same.
+// To the requested time or, if that is later, to the last step read. Stops are the steps and the
+// times of release, whatever times are requested, so that an animation and a direct request give
+// the same.
 bool vtkFlowVolume::AdvanceStreak()
 {
   auto& streak = this->State->Streak;

@@ -149,7 +149,8 @@ double AutomaticPeriod(double oldestAge, double timeStep, double width)
   return std::max(oldestAge > 0.0 ? 0.25 * oldestAge : 1.0, 2.0 * timeStep / width);
 }
 
-// Time between two layers of a flow volume, from the ages of its cells; 0 if it has one layer, or no numbers of layers.
+// Time between two layers of a flow volume, from the ages of its cells; 0 if it has one layer, or
+// no numbers of layers.
 double TimeStepOf(vtkUnstructuredGrid* smoke)
 {
   vtkDataArray* ages = smoke ? smoke->GetCellData()->GetArray("Age") : nullptr;
@@ -214,7 +215,8 @@ void vtkSmokePuffs::AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo
   const InputTime input(inInfo);
   if (!input.Varies)
   {
-    // An automatic period is that of the last update; before the first one, that of the data that the input has, if any.
+    // An automatic period is that of the last update; before the first one, that of the data that
+    // the input has, if any.
     double period = this->Period > 0.0 ? this->Period : this->ActualPeriod;
     if (period == 0.0)
     {
@@ -224,8 +226,8 @@ void vtkSmokePuffs::AnnounceTime(vtkInformation* inInfo, vtkInformation* outInfo
     const double length = period / this->TimeScale;
     const double range[2] = { input.Start, input.Start + length };
     outInfo->Set(SDDP::TIME_RANGE(), range, 2);
-    outInfo->Remove(SDDP::
-        TIME_STEPS()); // ParaView takes the range from the steps where there are any, were it only one
+    outInfo->Remove(SDDP::TIME_STEPS()); // ParaView takes the range from the steps where there are
+                                         // any, were it only one
   }
 }
 
@@ -292,7 +294,8 @@ int vtkSmokePuffs::RequestData(
   return 1;
 }
 
-// Found once for all time steps of a series: puffs of another period would be elsewhere. Unsteady smoke grows until it is as old as the series is long.
+// Found once for all time steps of a series: puffs of another period would be elsewhere. Unsteady
+// smoke grows until it is as old as the series is long.
 double vtkSmokePuffs::FindPeriod(vtkUnstructuredGrid* smoke, vtkInformation* inInfo)
 {
   const vtkMTimeType change = nephoscope::ChangeOfInput(this);

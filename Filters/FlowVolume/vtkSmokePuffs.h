@@ -6,30 +6,38 @@
  *
  *     vtkFlowVolume -> vtkSmokePuffs -> vtkCellCompositingMapper (opacity array SmokeDensity)
  *
- * This follows section 6 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in 3D Scalar and Vector Field
- * Visualization", Pacific Graphics 1993): the smoke is released not evenly but in puffs, which the flow carries along.
+ * This follows section 6 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in
+ * 3D Scalar and Vector Field Visualization", Pacific Graphics 1993): the smoke is released not
+ * evenly but in puffs, which the flow carries along.
  * The output has the points, cells and arrays of the input, not copied, and one more array:
  *
  * - SmokeDensity, double, on cells (or on points, see Association), unit of Density:
- *   min(Density, MaximumDensity) * pulse, where with the phase x = (Age - time) / Period, taken to [-1/2, 1/2),
- *   pulse = scale * (Floor + (1 - Floor) * cos^2(pi x / Width)) for |x| < Width / 2, and scale * Floor elsewhere.
+ *   min(Density, MaximumDensity) * pulse, where with the phase x = (Age - time) / Period, taken to
+ *   [-1/2, 1/2), pulse = scale * (Floor + (1 - Floor) * cos^2(pi x / Width)) for |x| < Width / 2,
+ *   and scale * Floor elsewhere.
  *
- * The pulse has a continuous derivative. Its mean over a period is scale * (Floor + (1 - Floor) * Width / 2).
+ * The pulse has a continuous derivative. Its mean over a period is scale * (Floor + (1 - Floor) *
+ * Width / 2).
  *
- * A crest is where Age = time + n Period. In a steady volume it moves along the volume at the speed of the flow as time
- * grows. In an unsteady volume, time - Age is when the smoke was released: a puff is the smoke of some emission steps
- * and moves with it. Nothing depends on the steps between frames: any frame rate shows the same motion, and
- * times that differ by a period give the same array.
+ * A crest is where Age = time + n Period. In a steady volume it moves along the volume at the speed
+ * of the flow as time grows. In an unsteady volume, time - Age is when the smoke was released: a
+ * puff is the smoke of some emission steps and moves with it. Nothing depends on the steps between
+ * frames: any frame rate shows the same motion, and times that differ by a period give the same
+ * array.
  *
- * The time is that of the pipeline, as set by ParaView's animation, times TimeScale; if no time is requested, it is Time. The filter
- * runs again when the pipeline's time changes, even if its input has no time. For an input without time, or with one time step, it
- * reports a time range of one period from 0 or from that step, and requests only that step from the input. The input therefore does
- * not run again, and a frame costs one array. Two or more time steps of the input are passed on unchanged.
+ * The time is that of the pipeline, as set by ParaView's animation, times TimeScale; if no time is
+ * requested, it is Time. The filter runs again when the pipeline's time changes, even if its input
+ * has no time. For an input without time, or with one time step, it reports a time range of one
+ * period from 0 or from that step, and requests only that step from the input. The input therefore
+ * does not run again, and a frame costs one array. Two or more time steps of the input are passed
+ * on unchanged.
  *
- * Input: cell arrays Age (s) and Density, as written by vtkFlowVolume; for an array on points also the point array Age.
- * If one is missing, an error is reported, and the input is passed on without SmokeDensity. Cells whose Age or Density
- * is not a finite number get 0, with a warning. A puff shorter than two time steps of the flow volume falls between its cells: its brightness
- * and mass then change with time, and a warning says so once for each period and step.
+ * Input: cell arrays Age (s) and Density, as written by vtkFlowVolume; for an array on points also
+ * the point array Age.
+ * If one is missing, an error is reported, and the input is passed on without SmokeDensity. Cells
+ * whose Age or Density is not a finite number get 0, with a warning. A puff shorter than two time
+ * steps of the flow volume falls between its cells: its brightness and mass then change with time,
+ * and a warning says so once for each period and step.
  */
 #ifndef vtkSmokePuffs_h
 #define vtkSmokePuffs_h
@@ -70,33 +78,43 @@ public:
 
   ///@{
   /**
-   * Time from one puff to the next, in seconds of the flow. 0 (default): a quarter of the maximum Age of the input, so that
-   * about four puffs are visible. It is found at the first requested time of a series, and kept at other times until the input changes in another way. In unsteady smoke it
-   * is a quarter of the time range of the series, or of the maximum Age if that is larger.
+   * Time from one puff to the next, in seconds of the flow. 0 (default): a quarter of the maximum
+   * Age of the input, so that about four puffs are visible. It is found at the first requested time
+   * of a series, and kept at other times until the input changes in another way. In unsteady smoke
+   * it is a quarter of the time range of the series, or of the maximum Age if that is larger.
    */
   vtkSetClampMacro(Period, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Period, double);
   ///@}
 
-  /** The period in use, in seconds: Period, or the automatic one, known after an update (0 before). */
+  /**
+   * The period in use, in seconds: Period, or the automatic one, known after an update (0 before).
+   */
   double GetActualPeriod() const { return this->ActualPeriod; }
 
   ///@{
-  /** Length of a puff from end to end, as a fraction of the period: 1e-6 to 1. Default 0.5. At half its peak a puff is half as long. */
+  /**
+   * Length of a puff from end to end, as a fraction of the period: 1e-6 to 1. Default 0.5. At half
+   * its peak a puff is half as long.
+   */
   vtkSetClampMacro(Width, double, 1e-6, 1.0);
   vtkGetMacro(Width, double);
   ///@}
 
   ///@{
-  /** Smoke between puffs, as a fraction of the peak: 0 (no smoke) to 1 (no puffs). Default 0.1, which keeps the path visible. */
+  /**
+   * Smoke between puffs, as a fraction of the peak: 0 (no smoke) to 1 (no puffs). Default 0.1,
+   * which keeps the path visible.
+   */
   vtkSetClampMacro(Floor, double, 0.0, 1.0);
   vtkGetMacro(Floor, double);
   ///@}
 
   ///@{
   /**
-   * Peak (default): the peak of a pulse is 1, so that puffs have less smoke in total. Mean: the mean of a pulse is 1, so that a
-   * period releases as much smoke as without puffs, and peaks are denser.
+   * Peak (default): the peak of a pulse is 1, so that puffs have less smoke in total. Mean: the
+   * mean of a pulse is 1, so that a period releases as much smoke as without puffs, and peaks are
+   * denser.
    */
   vtkSetClampMacro(Normalization, int, PEAK, MEAN);
   vtkGetMacro(Normalization, int);
@@ -106,8 +124,9 @@ public:
 
   ///@{
   /**
-   * Higher densities are clamped to this value before the pulse, so that smoke does not become opaque where the flow converges;
-   * the mass is then not conserved. 0 (default): no clamping. Unit of Density: 1 is the density at the polygon.
+   * Higher densities are clamped to this value before the pulse, so that smoke does not become
+   * opaque where the flow converges; the mass is then not conserved. 0 (default): no clamping. Unit
+   * of Density: 1 is the density at the polygon.
    */
   vtkSetClampMacro(MaximumDensity, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumDensity, double);
@@ -115,9 +134,10 @@ public:
 
   ///@{
   /**
-   * Cells (default): one value per cell, which conserves the mass. Points: Density is averaged over the cells at a point (once,
-   * not in every frame) and the pulse is evaluated at the Age of the point, so that smoke varies smoothly within the cells. There
-   * are fewer values than on cells; the mass agrees except for interpolation.
+   * Cells (default): one value per cell, which conserves the mass. Points: Density is averaged over
+   * the cells at a point (once, not in every frame) and the pulse is evaluated at the Age of the
+   * point, so that smoke varies smoothly within the cells. There are fewer values than on cells;
+   * the mass agrees except for interpolation.
    */
   vtkSetClampMacro(Association, int, CELLS, POINTS);
   vtkGetMacro(Association, int);
@@ -132,7 +152,10 @@ public:
   ///@}
 
   ///@{
-  /** Seconds of the flow per unit of the pipeline's time: 3600 if the animation time is in hours. Default 1. Time is not scaled. */
+  /**
+   * Seconds of the flow per unit of the pipeline's time: 3600 if the animation time is in hours.
+   * Default 1. Time is not scaled.
+   */
   vtkSetClampMacro(TimeScale, double, 1e-12, 1e12);
   vtkGetMacro(TimeScale, double);
   ///@}

@@ -10,8 +10,9 @@
 
 namespace nephoscope
 {
-// Makes the array that a viewer should see first the active scalars: cloud fraction, else cloud water, else the first
-// field of one component. Scalars that the input had chosen stay, unless they are a helper.
+// Makes the array that a viewer should see first the active scalars: cloud fraction, else cloud
+// water, else the first field of one component. Scalars that the input had chosen stay, unless they
+// are a helper.
 inline void ChooseActiveScalars(vtkDataSetAttributes* data)
 {
   vtkDataArray* chosen = data->GetScalars();

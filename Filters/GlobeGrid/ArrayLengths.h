@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays that do not have a value for every point or cell: a reader that fails midway leaves such ones behind.
+// Arrays that do not have a value for every point or cell: a reader that fails midway leaves such
+// ones behind.
 #ifndef nephoscope_ArrayLengths_h
 #define nephoscope_ArrayLengths_h
 
@@ -40,7 +41,8 @@ inline std::string LengthProblem(
   return problem;
 }
 
-// A sentence about the first array, or axis of a rectilinear grid, of a wrong length; empty if all are right.
+// A sentence about the first array, or axis of a rectilinear grid, of a wrong length; empty if all
+// are right.
 inline std::string ArrayLengthProblem(vtkDataSet* grid)
 {
   std::string problem = LengthProblem(grid->GetPointData(), grid->GetNumberOfPoints(), "points");

@@ -27,7 +27,8 @@ struct FillValue
   vtkIdType Count = 0; // 0: there is none
 };
 
-// The least value of an array, if it is a fill value. All others must be positive or 0, or much smaller in size.
+// The least value of an array, if it is a fill value. All others must be positive or 0, or much
+// smaller in size.
 FillValue FillValueOf(vtkDataArray* array)
 {
   double range[2];

@@ -11,8 +11,9 @@ class vtkDataSet;
 namespace nephoscope
 {
 /**
- * Which arrays of one component hold a usual fill value that is far from all their other values, how often, and what to do; an empty text if none does. Larger fill values
- * count as missing without a word (MissingValue.h).
+ * Which arrays of one component hold a usual fill value that is far from all their other values,
+ * how often, and what to do; an empty text if none does. Larger fill values count as missing
+ * without a word (MissingValue.h).
  */
 std::string DescribeFillValues(vtkDataSet* data);
 }

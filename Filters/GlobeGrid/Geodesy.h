@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions and velocities on a spherical planet and on its plate carree map. Plain C++17.
 //
-// Angles in radians, lengths in metres, speeds in m/s. The planet's axis is z; longitude 0 is on +x,
-// longitude 90 east on +y. `height` is physical; `exaggeration` E stretches the display alone.
+// Angles in radians, lengths in metres, speeds in m/s. The planet's axis is z; longitude 0 is on
+// +x, longitude 90 east on +y. `height` is physical; `exaggeration` E stretches the display alone.
 #ifndef nephoscope_Geodesy_h
 #define nephoscope_Geodesy_h
 
@@ -28,8 +28,8 @@ struct Planet
   double exaggeration;
 };
 
-// Sine and cosine that are exact at the poles and the quarter turns, so that a row at a pole is one point
-// and the column at 360 degrees is the column at 0.
+// Sine and cosine that are exact at the poles and the quarter turns, so that a row at a pole is one
+// point and the column at 360 degrees is the column at 0.
 struct Turn
 {
   double sine;
@@ -80,9 +80,9 @@ inline Vector3 MapPosition(const Planet& planet, double longitude, double latitu
   return { planet.radius * longitude, planet.radius * latitude, planet.exaggeration * height };
 }
 
-// A parcel at the physical radius R + h turns about the planet's centre at (u east + v north)/(R + h); the
-// display radius is r = R + E h, so d(position)/dt = r/(R + h) (u east + v north) + E w up. No division
-// by the cosine of the latitude: exact at the poles. `wind` is Cartesian.
+// A parcel at the physical radius R + h turns about the planet's centre at (u east + v north)/(R +
+// h); the display radius is r = R + E h, so d(position)/dt = r/(R + h) (u east + v north) + E w up.
+// No division by the cosine of the latitude: exact at the poles. `wind` is Cartesian.
 inline Vector3 GlobeDisplayVelocity(
   const Planet& planet, const Basis& basis, double height, const Vector3& wind)
 {

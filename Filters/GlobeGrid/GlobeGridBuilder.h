@@ -53,7 +53,8 @@ struct GlobeGridSettings
   bool MaskBelowGround = true;
 };
 
-// The columns alone, from any rows: enough to know their number in the output before any field is read.
+// The columns alone, from any rows: enough to know their number in the output before any field is
+// read.
 GridOrder PlanColumns(const LonLatLevelGrid& grid, const GlobeGridSettings& settings);
 
 // Whether the columns of the middle row surround the globe, so that poles can be closed.
@@ -74,7 +75,8 @@ public:
   // Finds the arrays and the order of the axes. Returns the problem, or an empty string.
   std::string Plan(vtkFieldData* units, const LonLatLevelGrid* surface);
 
-  // Fills the extent (relative to output index 0). `keepGoing(progress)` is called between the passes.
+  // Fills the extent (relative to output index 0). `keepGoing(progress)` is called between the
+  // passes.
   // Returns false if told to stop.
   bool Build(
     const int extent[6], vtkStructuredGrid* output, const std::function<bool(double)>& keepGoing);

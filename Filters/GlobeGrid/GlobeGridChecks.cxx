@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The half of GlobeGridBuilder's plan that judges what the numbers mean: units of levels and heights, degrees, winds.
+// The half of GlobeGridBuilder's plan that judges what the numbers mean: units of levels and
+// heights, degrees, winds.
 #include "GlobeGridBuilder.h"
 
 #include "FieldUnits.h"
@@ -135,7 +136,8 @@ void GlobeGridBuilder::FindHeightUnits(vtkFieldData* fieldData)
   this->HeightScale = MetresPer(units);
 }
 
-// The mean ratio of the height array to the heights of the levels' pressures, from 1 km up; not a number without pressures.
+// The mean ratio of the height array to the heights of the levels' pressures, from 1 km up; not a
+// number without pressures.
 double GlobeGridBuilder::RatioToStandardAtmosphere() const
 {
   double sum = 0.0;

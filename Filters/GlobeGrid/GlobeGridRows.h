@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Common parts of the passes of GlobeGridBuilder: the rows of a piece in parallel, new arrays, local frames.
+// Common parts of the passes of GlobeGridBuilder: the rows of a piece in parallel, new arrays,
+// local frames.
 #ifndef nephoscope_GlobeGridRows_h
 #define nephoscope_GlobeGridRows_h
 
@@ -32,7 +33,8 @@ struct OutputRow
   vtkIdType firstId;
 };
 
-// Calls function(OutputRow) for every row of the extent, in threads; rows write to their own points only.
+// Calls function(OutputRow) for every row of the extent, in threads; rows write to their own points
+// only.
 template <typename Function>
 void ForEachRow(const int extent[6], const Function& function)
 {

@@ -15,7 +15,8 @@ namespace nephoscope
 {
 namespace
 {
-// Kelvin. Outside, a temperature is in other units or missing, and the standard atmosphere takes its place.
+// Kelvin. Outside, a temperature is in other units or missing, and the standard atmosphere takes
+// its place.
 constexpr double COLDEST = 100.0;
 constexpr double HOTTEST = 400.0;
 }
@@ -98,8 +99,9 @@ bool GlobeGridBuilder::WindOf(
   return true;
 }
 
-// From components along the rows (eastwards) and across them (northwards) to east and north: by the direction from the
-// western to the eastern neighbour. At a pole there is no such direction, and nothing turns.
+// From components along the rows (eastwards) and across them (northwards) to east and north: by the
+// direction from the western to the eastern neighbour. At a pole there is no such direction, and
+// nothing turns.
 void GlobeGridBuilder::TurnFromGrid(const std::array<int, 3>& input, double& u, double& v) const
 {
   std::array<int, 3> west = input;
@@ -121,7 +123,8 @@ void GlobeGridBuilder::TurnFromGrid(const std::array<int, 3>& input, double& u, 
   }
 }
 
-// The carried horizontal wind arrays at a point of an added pole: the wind there, seen from its meridian.
+// The carried horizontal wind arrays at a point of an added pole: the wind there, seen from its
+// meridian.
 void GlobeGridBuilder::WritePoleWind(
   vtkStructuredGrid* output, vtkIdType id, const Vector3& wind, const geodesy::Basis& basis) const
 {
@@ -154,8 +157,8 @@ bool GlobeGridBuilder::UpwardWind(vtkIdType id, double level, double height, dou
   return !IsMissing(w);
 }
 
-// All points of a row at a pole are one point: it has the Cartesian mean of their winds. To an added pole those of the
-// last ring are first moved along their meridians.
+// All points of a row at a pole are one point: it has the Cartesian mean of their winds. To an
+// added pole those of the last ring are first moved along their meridians.
 bool GlobeGridBuilder::PoleWind(int j, int k, Vector3& wind) const
 {
   const int columns = DistinctColumns(this->Order_);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// From output indices (west to east, south to north, bottom to top, closed, rotated) to input indices. A row added at
-// a pole represents the last ring before it.
+// From output indices (west to east, south to north, bottom to top, closed, rotated) to input
+// indices. A row added at a pole represents the last ring before it.
 // Plain C++17.
 #ifndef nephoscope_GridOrder_h
 #define nephoscope_GridOrder_h
@@ -61,8 +61,8 @@ struct GridOrder
       this->Turned(2, k, 1) };
   }
 
-  // The cell that begins at output point (i, j, k). The seam cell that closing adds is not in the input: it
-  // takes its western neighbour; those at an added pole take the nearest row's.
+  // The cell that begins at output point (i, j, k). The seam cell that closing adds is not in the
+  // input: it takes its western neighbour; those at an added pole take the nearest row's.
   std::array<int, 3> InputCell(int i, int j, int k) const
   {
     const int cells = std::max(this->InputDimensions[0] - 1, 1);

@@ -30,7 +30,8 @@ vtkUnsignedCharArray* GhostArray(vtkDataSetAttributes* data, vtkIdType count)
   return ghosts; // held by data
 }
 
-// The up to eight cells that touch a point; `size` counts points, and a flat axis has one layer of cells.
+// The up to eight cells that touch a point; `size` counts points, and a flat axis has one layer of
+// cells.
 void HideCellsAround(int i, int j, int k, const int size[3], vtkUnsignedCharArray* ghosts)
 {
   const int at[3] = { i, j, k };

@@ -31,7 +31,8 @@ enum class HeightTrend
   FallsWithLevel
 };
 
-// True for 0 or 1, 2, 3, ... in either order, with the sign of an axis that points down or without it.
+// True for 0 or 1, 2, 3, ... in either order, with the sign of an axis that points down or without
+// it.
 inline bool AreIndices(const std::vector<double>& levels)
 {
   const double first = std::min(std::abs(levels.front()), std::abs(levels.back()));
@@ -56,7 +57,8 @@ inline bool EndsNearGround(LevelUnits units, double largest)
   return hectopascal >= 500.0 && hectopascal <= 1100.0;
 }
 
-// Pressure by its range; a negative axis is a pressure that the reader negated since it points down.
+// Pressure by its range; a negative axis is a pressure that the reader negated since it points
+// down.
 inline LevelUnits GuessLevelUnits(double lowest, double highest, HeightTrend trend)
 {
   const bool negated = highest < 0.0;
@@ -94,8 +96,9 @@ inline double LevelPressure(LevelUnits units, double level)
   return std::abs(level) * (units == LevelUnits::Hectopascal ? 100.0 : 1.0);
 }
 
-// Metres. Pressures are held above 0.01 Pa (85 km), so that a top level of zero has a height. The pressure on a sigma or hybrid
-// level depends on the place; here the ground is taken to be at the standard atmosphere's 1013.25 hPa.
+// Metres. Pressures are held above 0.01 Pa (85 km), so that a top level of zero has a height. The
+// pressure on a sigma or hybrid level depends on the place; here the ground is taken to be at the
+// standard atmosphere's 1013.25 hPa.
 inline double LevelHeight(LevelUnits units, double level)
 {
   if (units == LevelUnits::Sigma)

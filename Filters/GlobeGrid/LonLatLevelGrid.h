@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// One view of a rectilinear, image or structured grid of longitudes, latitudes and levels: coordinates by
-// index, and the attributes that live there. With cell centres, the cells take the part of the points.
+// One view of a rectilinear, image or structured grid of longitudes, latitudes and levels:
+// coordinates by index, and the attributes that live there. With cell centres, the cells take the
+// part of the points.
 #ifndef nephoscope_LonLatLevelGrid_h
 #define nephoscope_LonLatLevelGrid_h
 

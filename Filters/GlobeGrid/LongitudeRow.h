@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A row of longitudes: unwrapped, and judged regional, open round the globe, or closed. Plain C++17.
+// A row of longitudes: unwrapped, and judged regional, open round the globe, or closed. Plain
+// C++17.
 #ifndef nephoscope_LongitudeRow_h
 #define nephoscope_LongitudeRow_h
 
@@ -27,8 +28,8 @@ inline void UnwrapLongitudes(std::vector<double>& degrees)
   }
 }
 
-// `degrees` unwrapped, in either order. The grid is global if the gap that is left is at most half again
-// as wide as the widest spacing.
+// `degrees` unwrapped, in either order. The grid is global if the gap that is left is at most half
+// again as wide as the widest spacing.
 inline Coverage JudgeCoverage(const std::vector<double>& degrees)
 {
   if (degrees.size() < 3)

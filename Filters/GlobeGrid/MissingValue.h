@@ -7,8 +7,8 @@
 
 namespace nephoscope
 {
-// Not a number, or a fill value that the reader has left in place (netCDF's own is 9.97e36, others use
-// 1e20 or -9.99e33); no field of the weather comes near.
+// Not a number, or a fill value that the reader has left in place (netCDF's own is 9.97e36, others
+// use 1e20 or -9.99e33); no field of the weather comes near.
 inline bool IsMissing(double value)
 {
   return !(std::abs(value) < 1e15);

@@ -12,7 +12,8 @@ namespace nephoscope
 {
 namespace
 {
-// Writes the value of the ring below the added row (j, k) to all points of that row, which begin at `firstId`.
+// Writes the value of the ring below the added row (j, k) to all points of that row, which begin at
+// `firstId`.
 void FillRow(vtkDataArray* from, vtkDataArray* to, const LonLatLevelGrid& grid,
   const GridOrder& order, int j, int k, vtkIdType firstId, int count)
 {

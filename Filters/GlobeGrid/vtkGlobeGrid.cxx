@@ -124,8 +124,8 @@ std::vector<std::string> FieldNames(const nephoscope::GlobeGridSettings& setting
   return { settings.Height, settings.Eastward, settings.Northward };
 }
 
-// Some rows of two levels, all columns: whether seam and poles must be closed shows in longitudes and latitudes, and no
-// reader tells them before it reads.
+// Some rows of two levels, all columns: whether seam and poles must be closed shows in longitudes
+// and latitudes, and no reader tells them before it reads.
 vtkDataSet* PeekAtRows(
   vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6], int first, int last)
 {
@@ -149,7 +149,8 @@ vtkDataSet* PeekAtRows(
   return vtkDataSet::SafeDownCast(producer->GetOutputDataObject(port));
 }
 
-// The rows that PeekAtRows reads; false if the input is not a grid (RequestData reports the problem).
+// The rows that PeekAtRows reads; false if the input is not a grid (RequestData reports the
+// problem).
 bool PeekAtGrid(vtkAlgorithm* producer, int port, vtkInformation* inInfo, const int whole[6],
   int first, int last, nephoscope::GlobeGridSettings settings, nephoscope::LonLatLevelGrid& grid,
   bool& onCells)

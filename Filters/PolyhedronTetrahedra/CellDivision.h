@@ -16,7 +16,10 @@ namespace nephoscope
 
 struct CellDivision
 {
-  /** Vertices; those from the number of the surface's vertices on are new points. (p1-p0)x(p2-p0).(p3-p0) > 0. */
+  /**
+   * Vertices; those from the number of the surface's vertices on are new points.
+   * (p1-p0)x(p2-p0).(p3-p0) > 0.
+   */
   std::vector<std::array<int, 4>> Tetrahedra;
   std::vector<Vector3> NewPoints;
   std::vector<std::vector<double>> Weights; ///< of each new point, over the surface's vertices
@@ -45,8 +48,9 @@ inline double SixVolumesInside(const TriangulatedSurface& surface)
 }
 
 /**
- * Whether tetrahedra fill exactly the volume enclosed by the surface: none is inverted, their unshared faces are the
- * triangles of the surface, and the volumes add up. For what comes from a program that is not ours.
+ * Whether tetrahedra fill exactly the volume enclosed by the surface: none is inverted, their
+ * unshared faces are the triangles of the surface, and the volumes add up. For what comes from a
+ * program that is not ours.
  */
 inline bool FillsSurface(const CellDivision& division, const TriangulatedSurface& surface)
 {

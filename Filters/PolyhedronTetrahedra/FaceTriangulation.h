@@ -3,15 +3,17 @@
 /**
  * A polygonal face cut into triangles, identically for both of its cells.
  *
- * 1. The canonical cycle: of all starting vertices and both directions, the one whose sequence of vertices is least in the order of
- *    coordinates. Both cells get the same result, and all further steps depend only on it, to the last bit.
- * 2. The fan from its first, least vertex, which is how the mapper and CellDecomposition.h cut a face, if every triangle has an
- *    area and looks the way the face does.
- * 3. Else (a face that is not convex, or with a vertex in the middle of an edge) ears are cut off: each time the ear
- *    whose smallest height is largest, so that no triangle is thinner than it must be (Meisters1975 shows that there always is an ear).
+ * 1. The canonical cycle: of all starting vertices and both directions, the one whose sequence of
+ *    vertices is least in the order of coordinates. Both cells get the same result, and all further
+ *    steps depend only on it, to the last bit.
+ * 2. The fan from its first, least vertex, which is how the mapper and CellDecomposition.h cut a
+ *    face, if every triangle has an area and looks the way the face does.
+ * 3. Else (a face that is not convex, or with a vertex in the middle of an edge) ears are cut off:
+ *    each time the ear whose smallest height is largest, so that no triangle is thinner than it
+ *    must be (Meisters1975 shows that there always is an ear).
  *    Faces with holes come as one cycle that runs through a bridge to the hole and back.
- * 4. Else, if the face is so warped that it crosses itself when it is pressed flat, the triangles of least area in space
- *    (BarequetSharir1995).
+ * 4. Else, if the face is so warped that it crosses itself when it is pressed flat, the triangles
+ *    of least area in space (BarequetSharir1995).
  *
  * Vertices are compared and measured in the plane of the face's area-weighted mean normal.
  */
@@ -34,7 +36,8 @@ class FaceTriangulation
 {
 public:
   /**
-   * `face`: vertices by rank in the order of coordinates; `position(vertex)`: coordinates. Triangles are wound as the face is.
+   * `face`: vertices by rank in the order of coordinates; `position(vertex)`: coordinates.
+   * Triangles are wound as the face is.
    * Returns false where the face crosses itself, or has no area.
    */
   template <typename Position>
@@ -64,7 +67,8 @@ private:
   using Place = std::array<double, 2>;
   // A triangle below this part of the face's area has none.
   static constexpr double smallestArea = 1e-9;
-  // A face that crosses itself is an error unless it is warped by more than this part of the root of its area.
+  // A face that crosses itself is an error unless it is warped by more than this part of the root
+  // of its area.
   static constexpr double smallestWarp = 1e-3;
 
   // Returns whether the canonical direction is against the face's own.
@@ -143,7 +147,8 @@ private:
     return true;
   }
 
-  // Dynamic programming: Best[i][j] is the least area over the vertices i ... j, Middle[i][j] the third vertex of the triangle at (i, j).
+  // Dynamic programming: Best[i][j] is the least area over the vertices i ... j, Middle[i][j] the
+  // third vertex of the triangle at (i, j).
   bool CutSmallest()
   {
     this->Triangles.clear();

@@ -3,14 +3,16 @@
 /**
  * A point that sees the whole inside of a closed surface, if there is one.
  *
- * The kernel of a polyhedron is where all its facets are seen from inside: the intersection of the half-spaces
- * n_i . x <= d_i of its outward triangles. Sought is the centre of the largest ball in it, a linear programme in (x, r):
+ * The kernel of a polyhedron is where all its facets are seen from inside: the intersection of the
+ * half-spaces n_i . x <= d_i of its outward triangles. Sought is the centre of the largest ball in
+ * it, a linear programme in (x, r):
  *   maximise r subject to n_i . x + r <= d_i.
  * It is solved by an interior-point method (BoydVandenberghe2004, section 11.3): Newton steps on
  *   -r / mu - sum log(d_i - n_i . x - r)
- * for decreasing mu. Every start is feasible with an r that is negative enough, so that one method finds out whether the kernel is
- * empty (r < 0 at the optimum) and where its middle is; that the surface is closed keeps x bounded. Given up once r
- * cannot become positive any more: r is at most (number of triangles) * mu below its optimum.
+ * for decreasing mu. Every start is feasible with an r that is negative enough, so that one method
+ * finds out whether the kernel is empty (r < 0 at the optimum) and where its middle is; that the
+ * surface is closed keeps x bounded. Given up once r cannot become positive any more: r is at most
+ * (number of triangles) * mu below its optimum.
  */
 #ifndef nephoscope_KernelPoint_h
 #define nephoscope_KernelPoint_h
@@ -43,8 +45,9 @@ class KernelPoint
 {
 public:
   /**
-   * Coordinates should be of the order of 1 and the origin in the middle of the cell. Returns a ball in the kernel whose radius is
-   * within 2 % of the largest, or one of negative radius if the kernel is empty.
+   * Coordinates should be of the order of 1 and the origin in the middle of the cell. Returns a
+   * ball in the kernel whose radius is within 2 % of the largest, or one of negative radius if the
+   * kernel is empty.
    */
   static Ball Find(const std::vector<HalfSpace>& halfSpaces)
   {

@@ -3,16 +3,19 @@
 /**
  * Values at new points inside a cell, from the values at the cell's own points.
  *
- * A new point sees all triangles of its link: the faces opposite it in the tetrahedra that meet there. Its value is the mean-value
- * interpolation over the link (JuSchaeferWarren2005; FloaterKosReimers2005 show that the weights are positive where the
- * whole link is seen). The weight of a vertex v at distance |v - x| is the sum over the link's triangles T of w_T,v with
+ * A new point sees all triangles of its link: the faces opposite it in the tetrahedra that meet
+ * there. Its value is the mean-value interpolation over the link (JuSchaeferWarren2005;
+ * FloaterKosReimers2005 show that the weights are positive where the whole link is seen). The
+ * weight of a vertex v at distance |v - x| is the sum over the link's triangles T of w_T,v with
  *   m_T = 1/2 sum_i theta_i n_i,    w_T,i = n_i . m_T / n_i . (v_i - x),
- * where theta_i is the angle at x of the edge opposite vertex i of T, and n_i the unit normal of its plane with x. m_T is the
- * integral of the unit vector over T's solid angle, and these add up to zero around x: so a linear field is reproduced exactly.
+ * where theta_i is the angle at x of the edge opposite vertex i of T, and n_i the unit normal of
+ * its plane with x. m_T is the integral of the unit vector over T's solid angle, and these add up
+ * to zero around x: so a linear field is reproduced exactly.
  *
- * With several new points in one cell each depends on others; (I - W) v_new = U v_old is solved. W has no negative entry and each row
- * of (W U) sums to 1, so that the matrix is regular, and the weights on old points are not negative and sum to 1:
- * no new value lies outside the range of the cell's values.
+ * With several new points in one cell each depends on others; (I - W) v_new = U v_old is solved. W
+ * has no negative entry and each row of (W U) sums to 1, so that the matrix is regular, and the
+ * weights on old points are not negative and sum to 1: no new value lies outside the range of the
+ * cell's values.
  */
 #ifndef nephoscope_MeanValueWeights_h
 #define nephoscope_MeanValueWeights_h
@@ -62,8 +65,8 @@ void AddMeanValueWeights(const Vector3& x, const std::array<Vector3, 3>& corners
 }
 
 /**
- * The weights of the old vertices at each new one. Vertices from `numberOfOld` on are new; tetrahedra are positively oriented.
- * weights[k][v]: of old vertex v at new vertex k.
+ * The weights of the old vertices at each new one. Vertices from `numberOfOld` on are new;
+ * tetrahedra are positively oriented. weights[k][v]: of old vertex v at new vertex k.
  */
 inline std::vector<std::vector<double>> NewPointWeights(const std::vector<Vector3>& positions,
   int numberOfOld, const std::vector<std::array<int, 4>>& tetrahedra)

@@ -9,8 +9,8 @@ namespace nephoscope
 {
 namespace
 {
-// A fraction of the cell's size: a vertex is taken as apex if it lies so far behind every triangle. Where none does, the middle of the
-// kernel makes better tetrahedra.
+// A fraction of the cell's size: a vertex is taken as apex if it lies so far behind every triangle.
+// Where none does, the middle of the kernel makes better tetrahedra.
 constexpr double goodHeight = 0.01;
 
 // Height of the apex below the plane of an outward triangle.
@@ -109,8 +109,8 @@ bool PolyhedronDivider::CutFaces()
   return true;
 }
 
-// A neighbour that is divided uses the triangles of FaceTriangulation.h. On a plane face it does not matter which they are; on a warped
-// one the cell that stays whole must mean the same.
+// A neighbour that is divided uses the triangles of FaceTriangulation.h. On a plane face it does
+// not matter which they are; on a warped one the cell that stays whole must mean the same.
 bool PolyhedronDivider::WarpedFacesAreFans(double slack)
 {
   const FaceList<int> faces = this->Surface.Faces();

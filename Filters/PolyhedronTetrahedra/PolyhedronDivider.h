@@ -3,7 +3,8 @@
 /**
  * One polyhedral cell to tetrahedra. One object per thread.
  *
- *   surface ──► convex but for warp, and filled by its cone? ──► leave it whole (PolyhedronConvexity.h)
+ *   surface ──► convex but for warp, and filled by its cone (PolyhedronConvexity.h)?
+ *      │            ──► leave it whole
  *      │
  *   triangles of the faces, the same from both sides (FaceTriangulation.h)
  *      │
@@ -11,8 +12,9 @@
  *   2. cone from the middle of the kernel (KernelPoint.h): one new point
  *   3. TetGen (TetGenDivision.h): new points inside, where it needs them
  *
- * Cones over the triangles of a closed surface add up, with their signs, to the inside of it: where all are positive they fill the
- * cell without overlap. Steps 1 and 2 are therefore correct whenever their signs are, whatever the shape.
+ * Cones over the triangles of a closed surface add up, with their signs, to the inside of it: where
+ * all are positive they fill the cell without overlap. Steps 1 and 2 are therefore correct whenever
+ * their signs are, whatever the shape.
  */
 #ifndef nephoscope_PolyhedronDivider_h
 #define nephoscope_PolyhedronDivider_h
@@ -63,7 +65,10 @@ public:
     return state == PolyhedronSurface::State::Closed ? this->DivideSurface() : OutcomeOf(state);
   }
 
-  /** After NotStar: the input for TetGen, and the check of its result. `reason` says why it is Failed. */
+  /**
+   * After NotStar: the input for TetGen, and the check of its result. `reason` says why it is
+   * Failed.
+   */
   TetGenTask MakeTask() { return { &this->Cut, &this->Division, std::string() }; }
   DivisionOutcome Judge(const TetGenTask& task, std::string& reason);
 

@@ -35,7 +35,9 @@ namespace
 {
 constexpr double longestSeconds = 20; // for one cell; a cell of 100 faces takes a few thousandths
 
-/** The cell moved to the origin and to a size of about 1 by a power of two, which rounds nothing. */
+/**
+ * The cell moved to the origin and to a size of about 1 by a power of two, which rounds nothing.
+ */
 struct Frame
 {
   explicit Frame(const PolyhedronSurface& surface)
@@ -140,7 +142,9 @@ void FillInput(const TriangulatedSurface& cut, const Frame& frame, tetgenio& in)
   }
 }
 
-/** What the child sends: TetGen's code, the numbers of new points and tetrahedra, these themselves. */
+/**
+ * What the child sends: TetGen's code, the numbers of new points and tetrahedra, these themselves.
+ */
 struct Header
 {
   int Code;

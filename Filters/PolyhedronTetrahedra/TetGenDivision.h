@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * TetGen (Si2015) on single cells: the only file that uses it, and only where the build has found it.
+ * TetGen (Si2015) on single cells: the only file that uses it, and only where the build has found
+ * it.
  *
- * TetGen keeps the state of its predicates and its random numbers in variables of the process (exactinit in predicates.cxx sets error
- * bounds from the mesh at hand), so one cell at a time is divided. Why in another process: IsolatedProcess.h.
+ * TetGen keeps the state of its predicates and its random numbers in variables of the process
+ * (exactinit in predicates.cxx sets error bounds from the mesh at hand), so one cell at a time is
+ * divided. Why in another process: IsolatedProcess.h.
  */
 #ifndef nephoscope_TetGenDivision_h
 #define nephoscope_TetGenDivision_h

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How a particle's mass is shared by the eight voxels around it (HockneyEastwood1988, Sec. 5-2: cloud in cell). Plain C++17.
+// How a particle's mass is shared by the eight voxels around it (HockneyEastwood1988, Sec. 5-2:
+// cloud in cell). Plain C++17.
 #ifndef nephoscope_CloudInCell_h
 #define nephoscope_CloudInCell_h
 
@@ -14,7 +15,8 @@ struct CloudInCell
   std::array<int, 3> First{};    // voxel with the lowest indices
   std::array<double, 3> Upper{}; // share of its upper neighbour along each axis
 
-  // Weights are not negative, their sum is 1, and their mean place is the particle's: mass and its centre are kept.
+  // Weights are not negative, their sum is 1, and their mean place is the particle's: mass and its
+  // centre are kept.
   double Weight(int corner) const
   {
     double weight = 1;

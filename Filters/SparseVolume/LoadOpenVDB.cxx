@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What VdbFile.h and VdbWriting.h promise, by the library that lies beside this one and is loaded by the first call.
+// What VdbFile.h and VdbWriting.h promise, by the library that lies beside this one and is loaded
+// by the first call.
 #include "VdbLibrary.h"
 
 #include <dlfcn.h>

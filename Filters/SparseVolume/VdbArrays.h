@@ -61,7 +61,10 @@ double Magnitude(const Value& value)
   }
 }
 
-/** An empty grid of the type that fits the array, or null if none does (other than one or three components). */
+/**
+ * An empty grid of the type that fits the array, or null if none does (other than one or three
+ * components).
+ */
 openvdb::GridBase::Ptr NewGridFor(vtkDataArray* array, VdbPrecision precision);
 
 namespace detail

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The functions of OpenVDB that the VTK classes use. No OpenVDB header is needed here: a build without OpenVDB has the same functions, which
- * fail with a sentence that gives the remedy (NoOpenVDB.cxx).
+ * The functions of OpenVDB that the VTK classes use. No OpenVDB header is needed here: a build
+ * without OpenVDB has the same functions, which fail with a sentence that gives the remedy
+ * (NoOpenVDB.cxx).
  */
 #ifndef nephoscope_VdbFile_h
 #define nephoscope_VdbFile_h
@@ -26,8 +27,8 @@ bool HasOpenVDB();
 /** A grid of a file, described by its metadata. */
 struct VdbGridInfo
 {
-  std::string
-    Name; ///< unique in the file: of several grids of a name, the later ones have a number in brackets
+  std::string Name;    ///< unique in the file: of several grids of a name, the later ones have a
+                       ///< number in brackets
   std::string Type;    ///< of the values: "float", "vec3s", ...
   std::string Class;   ///< "fog volume", "level set", "staggered" or "unknown"
   std::string Refusal; ///< why it cannot be read; empty if it can
@@ -53,7 +54,8 @@ struct VdbRequest
 };
 
 /**
- * The active voxels as points with one array for a grid. Returns an error, or nothing. Sentences to warn of are appended.
+ * The active voxels as points with one array for a grid. Returns an error, or nothing. Sentences to
+ * warn of are appended.
  * Grids of the first one's lattice add their active voxels; others are interpolated at these.
  */
 std::string ReadVdbPoints(

@@ -19,7 +19,10 @@ using VdbGridTypes = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, 
 /** Makes OpenVDB ready, once in a process. */
 void StartOpenVDB();
 
-/** An empty grid, made by the library: Grid::create() would compile all of the tree's code once more, for half a minute each. */
+/**
+ * An empty grid, made by the library: Grid::create() would compile all of the tree's code once
+ * more, for half a minute each.
+ */
 template <typename Grid>
 typename Grid::Ptr NewGrid()
 {

@@ -30,8 +30,8 @@ struct LatticePoints
 };
 
 /**
- * The points are voxels if they are as vtkSparseVolumeReader makes them: "IndexToWorld" in the field data, and each at whole indices
- * or, by "VoxelScale", in the middle of a tile.
+ * The points are voxels if they are as vtkSparseVolumeReader makes them: "IndexToWorld" in the
+ * field data, and each at whole indices or, by "VoxelScale", in the middle of a tile.
  */
 LatticePoints FindLatticePoints(vtkDataSet* data);
 

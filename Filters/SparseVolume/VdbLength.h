@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a .vdb file is as long as its grids say: OpenVDB itself takes what lies behind the end for values. Plain C++17.
+// Whether a .vdb file is as long as its grids say: OpenVDB itself takes what lies behind the end
+// for values. Plain C++17.
 #ifndef nephoscope_VdbLength_h
 #define nephoscope_VdbLength_h
 
@@ -27,7 +28,8 @@ inline void SkipSized(std::istream& in)
 }
 }
 
-// The layout is that of file versions from 222 (2013) on, with offsets; other files are not looked at.
+// The layout is that of file versions from 222 (2013) on, with offsets; other files are not looked
+// at.
 inline bool IsVdbTruncated(const std::string& file)
 {
   using vdb_length::Get;

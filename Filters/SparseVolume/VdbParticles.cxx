@@ -15,7 +15,8 @@ namespace
 {
 constexpr double largestIndex = 1 << 30;
 
-// Edge of the cube that each would have if they filled their bounds, along the axes along which they spread.
+// Edge of the cube that each would have if they filled their bounds, along the axes along which
+// they spread.
 double MeanSpacing(const double low[3], const double high[3], std::size_t count)
 {
   const double longest = std::max({ high[0] - low[0], high[1] - low[1], high[2] - low[2] });

@@ -24,7 +24,10 @@ public:
 
   /** Mass over volume: its integral is the mass of the particles. */
   void FillDensity(openvdb::GridBase& grid) const;
-  /** Mean of the array at each voxel that has mass, weighted with the mass. Returns how many values were not finite. */
+  /**
+   * Mean of the array at each voxel that has mass, weighted with the mass. Returns how many values
+   * were not finite.
+   */
   vtkIdType FillMean(openvdb::GridBase& grid, vtkDataArray* array) const;
 
 private:

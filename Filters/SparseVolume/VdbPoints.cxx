@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The active voxels of grids as points. 1. which voxels: the union of the grids on the first one's lattice;
+// The active voxels of grids as points. 1. which voxels: the union of the grids on the first one's
+// lattice;
 // 2. their places; 3. for every grid an array of its values there.
 #include "VdbReading.h"
 #include "VdbValues.h"
@@ -93,7 +94,10 @@ Voxels VoxelsOf(const Mask::Ptr& active, bool splitTiles)
   return voxels;
 }
 
-/** Calls body(point, coordinates of its first voxel, edge in voxels, what prepare() gave this thread) for all points. */
+/**
+ * Calls body(point, coordinates of its first voxel, edge in voxels, what prepare() gave this
+ * thread) for all points.
+ */
 template <typename Prepare, typename Body>
 void ForAll(const Voxels& voxels, Prepare prepare, Body body)
 {

@@ -19,7 +19,10 @@ struct VdbRead
 
 VdbRead ReadGrids(const VdbRequest& request);
 
-/** An error if so many bytes are more than the limit; `what` needs them, and `remedy` ends the sentence. */
+/**
+ * An error if so many bytes are more than the limit; `what` needs them, and `remedy` ends the
+ * sentence.
+ */
 std::string CheckMemory(
   double bytes, double limit, const std::string& what, const std::string& remedy);
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The values of a grid at the voxels of a lattice, its own or another, as VTK's arrays hold them. */
+/**
+ * The values of a grid at the voxels of a lattice, its own or another, as VTK's arrays hold them.
+ */
 #ifndef nephoscope_VdbValues_h
 #define nephoscope_VdbValues_h
 
@@ -75,7 +77,10 @@ struct VdbArrayTraits
   }
 };
 
-/** Values at the voxels of a lattice: those of the grid, their means at centres if it is staggered, or interpolated. */
+/**
+ * Values at the voxels of a lattice: those of the grid, their means at centres if it is staggered,
+ * or interpolated.
+ */
 template <typename GridT>
 class VdbValues
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// 1. what the data are: an image, voxels as points, or particles; 2. a grid for every array that is to be written;
+// 1. what the data are: an image, voxels as points, or particles; 2. a grid for every array that is
+//    to be written;
 // 3. names and metadata; 4. the file.
 #include "VdbWriting.h"
 
@@ -40,7 +41,8 @@ bool IsWanted(const VdbWriteSettings& settings, const std::string& name)
     std::count(settings.Arrays.begin(), settings.Arrays.end(), name) > 0;
 }
 
-// How a vector changes when the volume is moved: Houdini turns and scales velocities with it, and normals as such.
+// How a vector changes when the volume is moved: Houdini turns and scales velocities with it, and
+// normals as such.
 openvdb::VecType VectorTypeOf(const std::string& name)
 {
   const std::string text = LowerCase(name);

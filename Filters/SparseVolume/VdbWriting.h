@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The functions of OpenVDB that the writer uses. No OpenVDB header is needed here, as in VdbFile.h. */
+/**
+ * The functions of OpenVDB that the writer uses. No OpenVDB header is needed here, as in VdbFile.h.
+ */
 #ifndef nephoscope_VdbWriting_h
 #define nephoscope_VdbWriting_h
 
@@ -40,7 +42,10 @@ struct VdbWriteSettings
   std::string MassArray; ///< of particles; empty: 1 for each
 };
 
-/** Writes the arrays of an image, of sparse voxels as points, or of particles. Returns an error, or nothing. */
+/**
+ * Writes the arrays of an image, of sparse voxels as points, or of particles. Returns an error, or
+ * nothing.
+ */
 std::string WriteVdb(
   const VdbWriteSettings& settings, vtkDataSet* data, std::vector<std::string>& warnings);
 

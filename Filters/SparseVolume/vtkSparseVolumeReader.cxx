@@ -72,7 +72,8 @@ void JoinExtents(const std::vector<VdbGridInfo>& grids, int extent[6])
   }
 }
 
-// An image's direction times its spacing are the columns of the matrix; handedness goes into the direction.
+// An image's direction times its spacing are the columns of the matrix; handedness goes into the
+// direction.
 void Decompose(const AffineMatrix& matrix, double origin[3], double spacing[3], double direction[9])
 {
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -4,28 +4,34 @@
  * @class   vtkSparseVolumeReader
  * @brief   reads the grids of a .vdb file as points, one for each active voxel, or as an image
  *
- *     .vdb file ──► grids that are chosen ──► active voxels ──► vtkPolyData: points, one array for a grid    (OutputToPoints)
- *                                                           └─► vtkImageData of their bounding box           (OutputToImage)
+ *     .vdb file ──► grids that are chosen ──► active voxels
+ *         ──► vtkPolyData: points, one array for a grid    (OutputToPoints)
+ *         └─► vtkImageData of their bounding box           (OutputToImage)
  *
- * Points take memory only for active voxels. The field data array "IndexToWorld" (double, 16 components: the rows of a 4 x 4
- * matrix from voxel indices to positions) gives the shape of the voxels; vtkTexturedSplatMapper draws splats of that shape. If
- * tiles are kept whole, the point array "VoxelScale" (float) gives the edge length of each in voxels.
+ * Points take memory only for active voxels. The field data array "IndexToWorld" (double, 16
+ * components: the rows of a 4 x 4 matrix from voxel indices to positions) gives the shape of the
+ * voxels; vtkTexturedSplatMapper draws splats of that shape. If tiles are kept whole, the point
+ * array "VoxelScale" (float) gives the edge length of each in voxels.
  *
- * An image has the voxel indices as its extent and the transform as origin, spacing and direction; inactive voxels
- * have the grid's value there (its background value, with a minus sign inside level sets).
+ * An image has the voxel indices as its extent and the transform as origin, spacing and direction;
+ * inactive voxels have the grid's value there (its background value, with a minus sign inside level
+ * sets).
  *
- * Values become arrays of float, double, int, long long or unsigned char (bool and mask), with 3 components for vectors; numbers
- * saved with 16 bits become float. Staggered (MAC) velocities, whose components are stored at the faces of voxels, are
- * averaged to their centres. All chosen grids share the lattice of the grid with the smallest voxels (the first by name, if
- * several are equal): grids with the same transform add their active voxels, others are interpolated there (trilinearly; the nearest value
- * for integers and bools).
+ * Values become arrays of float, double, int, long long or unsigned char (bool and mask), with 3
+ * components for vectors; numbers saved with 16 bits become float. Staggered (MAC) velocities,
+ * whose components are stored at the faces of voxels, are averaged to their centres. All chosen
+ * grids share the lattice of the grid with the smallest voxels (the first by name, if several are
+ * equal): grids with the same transform add their active voxels, others are interpolated there
+ * (trilinearly; the nearest value for integers and bools).
  *
- * Sheared voxels can be read as points only; frustums and grids of points are rejected with a message.
+ * Sheared voxels can be read as points only; frustums and grids of points are rejected with a
+ * message.
  *
- * A build without OpenVDB also has this class, but it fails with a message that gives the remedy (HasOpenVDB).
+ * A build without OpenVDB also has this class, but it fails with a message that gives the remedy
+ * (HasOpenVDB).
  *
- * Reference: K. Museth, VDB: High-Resolution Sparse Volumes with Dynamic Topology, ACM Transactions on Graphics 32(3), 2013
- * (Museth2013).
+ * Reference: K. Museth, VDB: High-Resolution Sparse Volumes with Dynamic Topology, ACM Transactions
+ * on Graphics 32(3), 2013 (Museth2013).
  */
 #ifndef vtkSparseVolumeReader_h
 #define vtkSparseVolumeReader_h
@@ -59,22 +65,31 @@ public:
   static int CanReadFile(VTK_FILEPATH const char* name);
 
   /**
-   * Grids to read. UpdateInformation() fills in the names; all readable grids are selected by default. If several grids have the
-   * same name, a number in brackets follows each name; a grid without a name is "unnamed".
+   * Grids to read. UpdateInformation() fills in the names; all readable grids are selected by
+   * default. If several grids have the same name, a number in brackets follows each name; a grid
+   * without a name is "unnamed".
    */
   vtkDataArraySelection* GetGridSelection();
 
   ///@{
-  /** After UpdateInformation(): the grids of the file, from 0, by name, and whether one can be read. */
+  /**
+   * After UpdateInformation(): the grids of the file, from 0, by name, and whether one can be read.
+   */
   int GetNumberOfGrids();
   std::string GetGridName(int grid);
-  /** Type of the values: "float", "double", "int32", "int64", "bool", "mask", "vec3s" (float), "vec3d", "vec3i". */
+  /**
+   * Type of the values: "float", "double", "int32", "int64", "bool", "mask", "vec3s" (float),
+   * "vec3d", "vec3i".
+   */
   std::string GetGridType(int grid);
   /** "fog volume", "level set", "staggered" or "unknown". */
   std::string GetGridClass(int grid);
   /** Number of active voxels, including those of tiles. */
   vtkTypeInt64 GetGridNumberOfActiveVoxels(int grid);
-  /** First and last index of the active voxels along each axis; last is less than first if there are none. */
+  /**
+   * First and last index of the active voxels along each axis; last is less than first if there are
+   * none.
+   */
   void GetGridExtent(int grid, int extent[6]);
   /** Edges of a voxel, in units of length of the file. */
   void GetGridSpacing(int grid, double spacing[3]);
@@ -99,8 +114,9 @@ public:
 
   ///@{
   /**
-   * Points: whether tiles (cubes of 8, 128 or 4096 voxels a side with one value) become a point for every voxel. Off: one
-   * point at the centre of each tile, if a single grid is read. Ignored for images. Default: on.
+   * Points: whether tiles (cubes of 8, 128 or 4096 voxels a side with one value) become a point for
+   * every voxel. Off: one point at the centre of each tile, if a single grid is read. Ignored for
+   * images. Default: on.
    */
   vtkSetMacro(SplitTiles, bool);
   vtkGetMacro(SplitTiles, bool);
@@ -108,7 +124,10 @@ public:
   ///@}
 
   ///@{
-  /** Maximum memory of the output, in GiB, > 0. Larger output is rejected with a message. Default: 4. */
+  /**
+   * Maximum memory of the output, in GiB, > 0. Larger output is rejected with a message. Default:
+   * 4.
+   */
   vtkSetClampMacro(MemoryLimit, double, 1e-9, 1e9);
   vtkGetMacro(MemoryLimit, double);
   ///@}

@@ -4,7 +4,8 @@
  * @class   vtkSunSource
  * @brief   one sun for everything in a scene
  *
- * Its output is the third input of every vtkSunlight, so that one change moves the sun of all. In ParaView its representation lights the view.
+ * Its output is the third input of every vtkSunlight, so that one change moves the sun of all. In
+ * ParaView its representation lights the view.
  *
  * Output: vtkPolyData without points. Field data, unit vectors of three components:
  * - SunDirection: towards the sun, for data that are not on a globe
@@ -26,15 +27,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Direction towards the sun, in the coordinates of the data, with any length > 0. Default (1, -1, 1). Used if DateTime is empty. */
+  /**
+   * Direction towards the sun, in the coordinates of the data, with any length > 0. Default (1, -1,
+   * 1). Used if DateTime is empty.
+   */
   vtkSetVector3Macro(SunDirection, double);
   vtkGetVector3Macro(SunDirection, double);
   ///@}
 
   ///@{
   /**
-   * Date and time in UTC, such as "2011-10-11 18:30"; empty (default): SunDirection. For data that are not on a globe, the sun is as seen from Longitude
-   * and Latitude, with x to the east and y to the north.
+   * Date and time in UTC, such as "2011-10-11 18:30"; empty (default): SunDirection. For data that
+   * are not on a globe, the sun is as seen from Longitude and Latitude, with x to the east and y to
+   * the north.
    */
   vtkSetMacro(DateTime, std::string);
   vtkGetMacro(DateTime, std::string);
@@ -47,7 +52,10 @@ public:
   ///@}
 
   ///@{
-  /** Longitude and latitude (degrees east and north) of the observer for whom the sun is computed at DateTime, if the data are not on a globe. Default 0, 0. */
+  /**
+   * Longitude and latitude (degrees east and north) of the observer for whom the sun is computed at
+   * DateTime, if the data are not on a globe. Default 0, 0.
+   */
   vtkSetClampMacro(Longitude, double, -360.0, 360.0);
   vtkGetMacro(Longitude, double);
   vtkSetClampMacro(Latitude, double, -90.0, 90.0);

@@ -23,7 +23,8 @@
 using nephoscope::AddPointArray;
 using nephoscope::Dot;
 
-// Light straight from the sun is scattered with the whole phase function, that which has been scattered straight on before with what makes two scatterings exact (README.md).
+// Light straight from the sun is scattered with the whole phase function, that which has been
+// scattered straight on before with what makes two scatterings exact (README.md).
 double vtkSunlight::PhaseTowardsEye(const Work& work, std::size_t p, double cosine) const
 {
   const double scaled = work.Asymmetry[p], light = std::exp(-double(work.ScaledDepth[p]));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks, and unstructured data of several ranks, in the light of all. It is computed on one mesh of their clouds; each gets the light at its points.
+// Blocks, and unstructured data of several ranks, in the light of all. It is computed on one mesh
+// of their clouds; each gets the light at its points.
 #include "vtkSunlight.h"
 
 #include "DataSets.h"
@@ -31,7 +32,8 @@ bool IsScalar(vtkDataSet* data, const std::string& name)
 }
 }
 
-// Called before the first block, on all ranks. Fewer than two datasets with clouds need not be joined.
+// Called before the first block, on all ranks. Fewer than two datasets with clouds need not be
+// joined.
 void vtkSunlight::JoinClouds()
 {
   this->JoinShadingClouds();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Warnings about implausible optical depths, for example because an array is not an extinction coefficient or has another unit of length, and about light through the sides.
+// Warnings about implausible optical depths, for example because an array is not an extinction
+// coefficient or has another unit of length, and about light through the sides.
 #include "vtkSunlight.h"
 
 #include "LightGrid.h"

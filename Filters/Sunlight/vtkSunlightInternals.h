@@ -31,10 +31,12 @@ struct vtkSunlight::Work
   std::vector<nephoscope::Place> Places;
   std::vector<float> Extinction, Scaled, Albedo, Asymmetry; // the last two scaled
   std::vector<float> Transmittance, ScaledDepth;
-  // The medium of the diffuse light lacks this share of the forward peak, g^2, where that which is drawn lacks all; its depth towards the sun.
+  // The medium of the diffuse light lacks this share of the forward peak, g^2, where that which is
+  // drawn lacks all; its depth towards the sun.
   double Taken = 1;
   std::vector<float> DiffuseDepth;
-  // By clouds of the second input, if there are any: the fraction of sunlight; the irradiance of surfaces, negative where it is that of the open sky.
+  // By clouds of the second input, if there are any: the fraction of sunlight; the irradiance of
+  // surfaces, negative where it is that of the open sky.
   std::vector<float> Shadow, BelowClouds;
   std::vector<float> Fluence, Up, Down, Absorbed, SecondMoment;
 
@@ -85,7 +87,8 @@ struct vtkSunlight::Joint
 namespace nephoscope
 {
 
-// Residues of a model's arithmetic are no cloud: divided by such an extinction, rounding errors of the light would count as light.
+// Residues of a model's arithmetic are no cloud: divided by such an extinction, rounding errors of
+// the light would count as light.
 inline void CutResidues(std::vector<float>& extinction)
 {
   constexpr float faintest = 1e-7f; // of the greatest

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Pieces of vtkSunlight, on several ranks: the clouds of all cast shadows on each. A piece of a grid is cut out of the whole, whose light each rank
-// computes.
+// Pieces of vtkSunlight, on several ranks: the clouds of all cast shadows on each. A piece of a
+// grid is cut out of the whole, whose light each rank computes.
 #include "vtkSunlight.h"
 
 #include "DataSets.h"

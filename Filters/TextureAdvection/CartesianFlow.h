@@ -8,8 +8,8 @@
 
 namespace nephoscope
 {
-// Points in any dataset, moved along straight axes. Beyond the border, and in holes, the wind is that at the nearest position
-// with a wind.
+// Points in any dataset, moved along straight axes. Beyond the border, and in holes, the wind is
+// that at the nearest position with a wind.
 class CartesianFlow : public TextureFlow
 {
 public:

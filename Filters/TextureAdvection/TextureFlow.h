@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Points that are moved by the winds of a series: on a globe (GlobeFlow), or in a box (CartesianFlow).
+// Points that are moved by the winds of a series: on a globe (GlobeFlow), or in a box
+// (CartesianFlow).
 #ifndef nephoscope_TextureFlow_h
 #define nephoscope_TextureFlow_h
 
@@ -22,7 +23,8 @@ struct WindField
   std::int64_t Missing = 0; // points without a wind
 };
 
-// A step through winds that are linear in time between two fields. At the fraction 0 they are the earlier field, at 1 the later.
+// A step through winds that are linear in time between two fields. At the fraction 0 they are the
+// earlier field, at 1 the later.
 struct FlowStep
 {
   const WindField* Earlier;
@@ -53,7 +55,8 @@ class TextureFlow
 public:
   virtual ~TextureFlow() = default;
 
-  // Null, and a sentence in `problem`, if the data have no winds or are not of the same grid as the first.
+  // Null, and a sentence in `problem`, if the data have no winds or are not of the same grid as the
+  // first.
   virtual std::unique_ptr<WindField> MakeField(
     vtkDataSet* data, const WindArrays& arrays, std::string& problem) = 0;
 
@@ -62,7 +65,8 @@ public:
 
   virtual void Advance(const FlowStep& step) = 0;
 
-  // From the points to where the parcels are, in texture units, three for each point. `present`: the winds by now.
+  // From the points to where the parcels are, in texture units, three for each point. `present`:
+  // the winds by now.
   virtual void Displacements(const FlowStep& present, std::vector<float>& displacements) = 0;
 
   // Three texture coordinates of each point of a dataset itself.

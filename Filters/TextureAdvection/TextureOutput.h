@@ -15,8 +15,8 @@ class vtkInformation;
 
 namespace nephoscope
 {
-// The requested piece of a structured grid. Where neighbours are needed, the whole grid is followed and cut afterwards, so that
-// a piece does not depend on how the grid is divided.
+// The requested piece of a structured grid. Where neighbours are needed, the whole grid is followed
+// and cut afterwards, so that a piece does not depend on how the grid is divided.
 class OutputPiece
 {
 public:

@@ -28,7 +28,8 @@ struct ReadStep
   vtkSmartPointer<vtkDataSet> Data; // a shared copy; null where only the wind is needed
 };
 
-// The time steps that a request needs: winds from the first to the last, all arrays from `Whole` on.
+// The time steps that a request needs: winds from the first to the last, all arrays from `Whole`
+// on.
 struct NeededSteps
 {
   int First = 0;

@@ -172,7 +172,8 @@ bool vtkTextureCoordinateAdvection::MakeTexture(
   return this->Report(1.0);
 }
 
-// Displacements that are not there yet, along one path for all sets that are needed at the same time.
+// Displacements that are not there yet, along one path for all sets that are needed at the same
+// time.
 bool vtkTextureCoordinateAdvection::FollowPaths(
   const nephoscope::SetPlan plans[2], vtkDataSet* points, const nephoscope::OutputPiece& piece)
 {

@@ -11,36 +11,43 @@
  *             the grid, or the points, at the requested time with
  *             TextureCoordinates1, TextureCoordinates2, TextureWeights
  *
- * Section 5 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in 3D Scalar and Vector Field
- * Visualization", Pacific Graphics 1993). For each point:
+ * Section 5 of MaxCrawfisBecker1993 (N. Max, R. Crawfis, B. Becker, "New Techniques in 3D Scalar
+ * and Vector Field Visualization", Pacific Graphics 1993). For each point:
  *
- * 1. Trace the air back in time through the winds of the series (linear in time between its steps) to the birth of the
- *    younger set of coordinates, and on to the birth of the older set.
- * 2. Write the position of the air at each birth, and the weights for blending the two sets: 0 at birth and death, 1 in the
- *    middle of life; their sum is 1.
+ * 1. Trace the air back in time through the winds of the series (linear in time between its steps)
+ *    to the birth of the younger set of coordinates, and on to the birth of the older set.
+ * 2. Write the position of the air at each birth, and the weights for blending the two sets: 0 at
+ *    birth and death, 1 in the middle of life; their sum is 1.
  *
- * On the output of vtkGlobeGrid, globe or map, paths are on the sphere, and the wind is interpolated as a Cartesian vector, so that
- * poles and seam need no special treatment. Air follows its height or its pressure, so that the motion relative to sloping and
- * moving levels is correct; it slides along the ground and under the top. Beyond the border of a regional grid, the wind is that on the border.
- * In other datasets paths are Cartesian; beyond the border, in holes and in blanked cells, the wind is that at the nearest position with a wind.
+ * On the output of vtkGlobeGrid, globe or map, paths are on the sphere, and the wind is
+ * interpolated as a Cartesian vector, so that poles and seam need no special treatment. Air follows
+ * its height or its pressure, so that the motion relative to sloping and moving levels is correct;
+ * it slides along the ground and under the top. Beyond the border of a regional grid, the wind is
+ * that on the border.
+ * In other datasets paths are Cartesian; beyond the border, in holes and in blanked cells, the wind
+ * is that at the nearest position with a wind.
  *
- * Winds of one Period are in memory, and each time step is read once while time goes forward. A frame traces the paths of
- * one period and does not depend on earlier frames.
+ * Winds of one Period are in memory, and each time step is read once while time goes forward. A
+ * frame traces the paths of one period and does not depend on earlier frames.
  *
  * Every process reads the whole grid and makes its own piece of the output.
  *
- * Arrays written; README.md of this folder and Documentation/texture-advection.md give their units and meaning:
- * - TextureCoordinates1, TextureCoordinates2: points, float, 3 components. Longitude/360, latitude/360 and height over the
- *   equator's length of the position of origin, longitudes unwrapped; or Cartesian.
+ * Arrays written; README.md of this folder and Documentation/texture-advection.md give their units
+ * and meaning:
+ * - TextureCoordinates1, TextureCoordinates2: points, float, 3 components. Longitude/360,
+ *   latitude/360 and height over the equator's length of the position of origin, longitudes
+ *   unwrapped; or Cartesian.
  * - TextureWeights, TextureAges: field data, double, 2 values; ages in seconds.
- * - TextureFrame (int, 0 longitude-latitude-height, 1 Cartesian), TextureOrigin (double, 3 values), TextureLength (double): field data.
+ * - TextureFrame (int, 0 longitude-latitude-height, 1 Cartesian), TextureOrigin (double, 3 values),
+ *   TextureLength (double): field data.
  * - FiniteTimeLyapunovExponent: points, float, 1/s, with ComputeLyapunovExponent.
  * - TextureWeights: points, float, 2 components, with MaximumStretch.
  *
  * Between time steps the arrays of the grid itself are interpolated linearly in time.
  *
- * These give an error and no texture arrays: no velocity, invalid settings, times that do not increase, missing time steps, a
- * grid whose columns change, an incomplete grid. Warnings report points without a wind.
+ * These give an error and no texture arrays: no velocity, invalid settings, times that do not
+ * increase, missing time steps, a grid whose columns change, an incomplete grid. Warnings report
+ * points without a wind.
  */
 #ifndef vtkTextureCoordinateAdvection_h
 #define vtkTextureCoordinateAdvection_h
@@ -95,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Port 1, optional: points to trace instead of the points of the grid, such as a cloud surface at the requested time. The
-   * output is then this dataset.
+   * Port 1, optional: points to trace instead of the points of the grid, such as a cloud surface at
+   * the requested time. The output is then this dataset.
    */
   void SetPointsConnection(vtkAlgorithmOutput* points);
   void RemovePoints() { this->SetInputConnection(1, nullptr); }
@@ -104,7 +111,8 @@ public:
 
   ///@{
   /**
-   * Lifetime of a set of coordinates, in seconds, 0 or more. The second set starts half a period after the first. 0, the default:
+   * Lifetime of a set of coordinates, in seconds, 0 or more. The second set starts half a period
+   * after the first. 0, the default:
    * FindPeriod of the first time step.
    */
   vtkSetMacro(Period, double);
@@ -112,8 +120,8 @@ public:
   ///@}
 
   /**
-   * The automatic period: 86400 s, 24 hours, for data from Globe Grid and for data without a wind, otherwise the time in which
-   * the fastest air crosses a quarter of the diagonal of the bounds.
+   * The automatic period: 86400 s, 24 hours, for data from Globe Grid and for data without a wind,
+   * otherwise the time in which the fastest air crosses a quarter of the diagonal of the bounds.
    */
   double FindPeriod(vtkDataSet* winds);
   /** Seconds in which the fastest air crosses the diagonal of the bounds; 0 without a wind. */
@@ -127,8 +135,9 @@ public:
 
   ///@{
   /**
-   * RungeKutta4 (default): fixed steps of fourth order. Euler: first order, as in the paper; it needs steps of a minute to be
-   * as accurate. RungeKutta45: steps of order 5 (4) with error control by Tolerance.
+   * RungeKutta4 (default): fixed steps of fourth order. Euler: first order, as in the paper; it
+   * needs steps of a minute to be as accurate. RungeKutta45: steps of order 5 (4) with error
+   * control by Tolerance.
    */
   vtkSetClampMacro(Integrator, int, EULER, RUNGE_KUTTA_45);
   vtkGetMacro(Integrator, int);
@@ -139,29 +148,37 @@ public:
 
   ///@{
   /**
-   * Longest integration step, in seconds, 0 or more. Steps end at the time steps of the series. The cost is inversely
-   * proportional to it. 0, the default: 1/24 of FindPeriod of the first time step, 3600 for data from Globe Grid.
+   * Longest integration step, in seconds, 0 or more. Steps end at the time steps of the series. The
+   * cost is inversely proportional to it. 0, the default: 1/24 of FindPeriod of the first time
+   * step, 3600 for data from Globe Grid.
    */
   vtkSetMacro(TimeStep, double);
   vtkGetMacro(TimeStep, double);
   ///@}
 
   ///@{
-  /** Error tolerance of one step of RungeKutta45: in radians on a globe, otherwise in units of length of the data; greater than 0. Default 1e-6. */
+  /**
+   * Error tolerance of one step of RungeKutta45: in radians on a globe, otherwise in units of
+   * length of the data; greater than 0. Default 1e-6.
+   */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** Seconds per unit of the pipeline's time, 3600 for time steps in hours. Greater than 0; default 1. */
+  /**
+   * Seconds per unit of the pipeline's time, 3600 for time steps in hours. Greater than 0; default
+   * 1.
+   */
   vtkSetMacro(TimeScale, double);
   vtkGetMacro(TimeScale, double);
   ///@}
 
   ///@{
   /**
-   * Interval of a set's age, in seconds, at which coordinates are computed. Times in between are interpolated, at almost no cost,
-   * but never across the start of a set. 0 (default): all are computed. Not used for the points of port 1.
+   * Interval of a set's age, in seconds, at which coordinates are computed. Times in between are
+   * interpolated, at almost no cost, but never across the start of a set. 0 (default): all are
+   * computed. Not used for the points of port 1.
    */
   vtkSetMacro(KeyFrameInterval, double);
   vtkGetMacro(KeyFrameInterval, double);
@@ -169,8 +186,9 @@ public:
 
   ///@{
   /**
-   * Geometry of the grid. Automatic (default): from the field data of vtkGlobeGrid; without them a globe if the points lie on
-   * meridians and parallels around the origin, otherwise Cartesian. Map: plate carree in units of PlanetRadius.
+   * Geometry of the grid. Automatic (default): from the field data of vtkGlobeGrid; without them a
+   * globe if the points lie on meridians and parallels around the origin, otherwise Cartesian. Map:
+   * plate carree in units of PlanetRadius.
    */
   vtkSetClampMacro(Grid, int, AUTOMATIC, CARTESIAN);
   vtkGetMacro(Grid, int);
@@ -181,13 +199,19 @@ public:
   ///@}
 
   ///@{
-  /** Displayed radius at height 0, for grids without the field data of vtkGlobeGrid; 0 (default): the radius of the first point (map: 6371000). */
+  /**
+   * Displayed radius at height 0, for grids without the field data of vtkGlobeGrid; 0 (default):
+   * the radius of the first point (map: 6371000).
+   */
   vtkSetMacro(PlanetRadius, double);
   vtkGetMacro(PlanetRadius, double);
   ///@}
 
   ///@{
-  /** On a globe or map: writes Cartesian coordinates on the sphere, in units of the equator's length, which have no seam and no poles. Off by default. */
+  /**
+   * On a globe or map: writes Cartesian coordinates on the sphere, in units of the equator's
+   * length, which have no seam and no poles. Off by default.
+   */
   vtkSetMacro(CartesianCoordinates, bool);
   vtkGetMacro(CartesianCoordinates, bool);
   vtkBooleanMacro(CartesianCoordinates, bool);
@@ -195,9 +219,9 @@ public:
 
   ///@{
   /**
-   * The wind before the first time step. Off (default): the wind of the first time step is held constant. On: there is no wind,
-   * so that at the first time step the coordinates of both sets are the positions of the points, as in the paper; the weights are
-   * the same.
+   * The wind before the first time step. Off (default): the wind of the first time step is held
+   * constant. On: there is no wind, so that at the first time step the coordinates of both sets are
+   * the positions of the points, as in the paper; the weights are the same.
    */
   vtkSetMacro(StartFromGrid, bool);
   vtkGetMacro(StartFromGrid, bool);
@@ -212,9 +236,10 @@ public:
 
   ///@{
   /**
-   * On a globe or map: names of point arrays of pressure (falling upwards) and of omega, its rate following the air, in the same
-   * unit per second. With both, vertical motion is integrated in pressure instead of displayed height, which is exact on pressure
-   * and hybrid levels. Default "" and ""; "None", from ParaView's menus, is the same as "".
+   * On a globe or map: names of point arrays of pressure (falling upwards) and of omega, its rate
+   * following the air, in the same unit per second. With both, vertical motion is integrated in
+   * pressure instead of displayed height, which is exact on pressure and hybrid levels. Default ""
+   * and ""; "None", from ParaView's menus, is the same as "".
    */
   void SetPressureArrayNames(const std::string& pressure, const std::string& omega);
   void SetPressureArrayName(const std::string& name);
@@ -225,8 +250,9 @@ public:
 
   ///@{
   /**
-   * Writes FiniteTimeLyapunovExponent of the older set: the logarithm of the largest factor by which the backward map stretches
-   * lengths, over the age; horizontally on globes and maps. Grids only. Off by default.
+   * Writes FiniteTimeLyapunovExponent of the older set: the logarithm of the largest factor by
+   * which the backward map stretches lengths, over the age; horizontally on globes and maps. Grids
+   * only. Off by default.
    */
   vtkSetMacro(ComputeLyapunovExponent, bool);
   vtkGetMacro(ComputeLyapunovExponent, bool);
@@ -235,9 +261,10 @@ public:
 
   ///@{
   /**
-   * Fades to the younger set where the older set is deformed: a set that is stretched by this factor has half its weight, and one
-   * stretched by much more has almost none. Writes TextureWeights on points. Greater than 1; 0 (default): weights depend on the
-   * age only. Grids only.
+   * Fades to the younger set where the older set is deformed: a set that is stretched by this
+   * factor has half its weight, and one stretched by much more has almost none. Writes
+   * TextureWeights on points. Greater than 1; 0 (default): weights depend on the age only. Grids
+   * only.
    */
   vtkSetMacro(MaximumStretch, double);
   vtkGetMacro(MaximumStretch, double);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of vtkTextureCoordinateAdvection that checks what it is given and makes a time step of it.
+// The part of vtkTextureCoordinateAdvection that checks what it is given and makes a time step of
+// it.
 #include "vtkTextureCoordinateAdvection.h"
 
 #include "CartesianFlow.h"

@@ -3,11 +3,12 @@
 // The part of vtkTextureCoordinateAdvection that reads a time series.
 //
 //   RequestInformation    the times of the series
-//   RequestUpdateExtent   PlanReading: which time steps the request needs, which of them are in memory, which is read next
+//   RequestUpdateExtent   PlanReading: which time steps the request needs, which of them are in
+//                         memory, which is read next
 //   RequestData           ReadTimeStep; again (CONTINUE_EXECUTING) until all are there; MakeTexture
 //
-// Points (port 1) that come of the same source as the winds are asked for when all winds are in memory, in a pass of their own: a
-// source can be asked for one time and one piece at once.
+// Points (port 1) that come of the same source as the winds are asked for when all winds are in
+// memory, in a pass of their own: a source can be asked for one time and one piece at once.
 #include "vtkTextureCoordinateAdvection.h"
 
 #include "MessageSuppression.h"

@@ -11,8 +11,9 @@
 
 namespace nephoscope
 {
-// A position belongs to the finest level that has it in a visible cell; within a level, to the block that already has
-// the particle, otherwise to the first. Blocks that overlap at one level are expected to agree.
+// A position belongs to the finest level that has it in a visible cell; within a level, to the
+// block that already has the particle, otherwise to the first. Blocks that overlap at one level are
+// expected to agree.
 class CompositeVelocity : public DataSetField
 {
 public:

@@ -11,9 +11,10 @@
 
 namespace nephoscope
 {
-// v(x, t) = (1 - w) first(x) + w second(x) with w = (t - firstTime) / (secondTime - firstTime), held at 0 and 1
-// outside the two times. A position is inside if it is inside both fields, or inside the one that has all the
-// weight. The two may be of different grids: the hint keeps a cell of each. Both must outlive this object.
+// v(x, t) = (1 - w) first(x) + w second(x) with w = (t - firstTime) / (secondTime - firstTime),
+// held at 0 and 1 outside the two times. A position is inside if it is inside both fields, or
+// inside the one that has all the weight. The two may be of different grids: the hint keeps a cell
+// of each. Both must outlive this object.
 class TemporalField : public VelocityField
 {
 public:
@@ -87,7 +88,8 @@ private:
     return span == 0.0 ? 0.0 : std::clamp((time - this->FirstTime) / span, 0.0, 1.0);
   }
 
-  // Fields of the same grid were in the same cell before, so the cell that the first has found is the best hint.
+  // Fields of the same grid were in the same cell before, so the cell that the first has found is
+  // the best hint.
   static CellHint HintOfSecond(const CellHint& before, const CellHint& found)
   {
     CellHint hint = found;

@@ -13,8 +13,9 @@ class vtkInformation;
 
 namespace nephoscope
 {
-// The array that `wanted` (an entry of INPUT_ARRAYS_TO_PROCESS) names. Without a name: DisplayVelocity, else the active
-// vectors, else the only array of three components; each on points before cells, in any block of the data.
+// The array that `wanted` (an entry of INPUT_ARRAYS_TO_PROCESS) names. Without a name:
+// DisplayVelocity, else the active vectors, else the only array of three components; each on points
+// before cells, in any block of the data.
 // False, and a sentence in `problem` with the remedy, if there is none.
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT bool ChooseVelocity(
   vtkDataObject* data, vtkInformation* wanted, VelocityArray& choice, std::string& problem);

@@ -11,8 +11,9 @@
 
 namespace nephoscope
 {
-// Where a particle was found last; the next search starts there. A hint changes the cost, never the result
-// beyond rounding. A field takes any hint, also one of another field: it is checked, not trusted.
+// Where a particle was found last; the next search starts there. A hint changes the cost, never the
+// result beyond rounding. A field takes any hint, also one of another field: it is checked, not
+// trusted.
 struct CellHint
 {
   std::int64_t Cell = -1; // none yet
@@ -22,7 +23,8 @@ struct CellHint
   std::int32_t SecondBlock = 0;
 };
 
-// Some positions, at one time or each at its own. Batches let a field that is spread over ranks answer with one exchange.
+// Some positions, at one time or each at its own. Batches let a field that is spread over ranks
+// answer with one exchange.
 struct SampleBatch
 {
   std::size_t Count = 0;

@@ -20,12 +20,13 @@ namespace nephoscope
 class DataSetField : public VelocityField
 {
 public:
-  // Every point array at the positions (cell arrays too if the velocity is on cells), with NaN, or 0 where
-  // there is no NaN, outside. `hints` as left by Sample.
+  // Every point array at the positions (cell arrays too if the velocity is on cells), with NaN, or
+  // 0 where there is no NaN, outside. `hints` as left by Sample.
   virtual void SampleArrays(std::size_t count, const Vector3* positions, const CellHint* hints,
     vtkPointData* output) const = 0;
 
-  // Whether the cell that Sample has found is a ghost cell, a copy of another rank's (DUPLICATECELL).
+  // Whether the cell that Sample has found is a ghost cell, a copy of another rank's
+  // (DUPLICATECELL).
   virtual bool IsInGhostCell(const CellHint& found) const = 0;
 };
 
@@ -36,8 +37,8 @@ struct VelocityArray
   bool OnCells = false;
 };
 
-// The field of a dataset or of the leaves of a composite one. Null, and a sentence in `problem` that names
-// what is wrong and its remedy, if there is none. The data must outlive the field.
+// The field of a dataset or of the leaves of a composite one. Null, and a sentence in `problem`
+// that names what is wrong and its remedy, if there is none. The data must outlive the field.
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::unique_ptr<DataSetField> MakeVelocityField(
   vtkDataObject* data, const VelocityArray& array, std::string& problem);
 

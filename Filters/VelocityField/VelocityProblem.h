@@ -24,11 +24,13 @@ std::string VelocityProblem(vtkDataSet* data, const VelocityArray& array);
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::string WhyNoVelocityInside(
   const std::vector<vtkDataSet*>& sets, const Vector3& position);
 
-// The same for a position in no cell of data with these bounds. `nearest`: the middle of the nearest cell.
+// The same for a position in no cell of data with these bounds. `nearest`: the middle of the
+// nearest cell.
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT std::string WhyOutside(
   const vtkBoundingBox& box, const Vector3& nearest, const Vector3& position);
 
-// The middle of a visible cell, among the nearest to the position, and its distance, which is infinite if there are no cells.
+// The middle of a visible cell, among the nearest to the position, and its distance, which is
+// infinite if there are no cells.
 struct NearestCell
 {
   double Distance = std::numeric_limits<double>::infinity();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which arrays of its input vtkCellCompositingMapper reads, and what it says of those that cannot be drawn.
+// Which arrays of its input vtkCellCompositingMapper reads, and what it says of those that cannot
+// be drawn.
 #include "vtkCellCompositingMapper.h"
 
 #include "ArraySelection.h"

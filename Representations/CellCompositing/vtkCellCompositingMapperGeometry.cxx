@@ -18,7 +18,10 @@ using nephoscope::WithThreads;
 
 namespace
 {
-/** `hasParts`: polygons or layers, which need tetrahedra. `mixed`: with other media, whose rays cross the tetrahedra of cells. */
+/**
+ * `hasParts`: polygons or layers, which need tetrahedra. `mixed`: with other media, whose rays
+ * cross the tetrahedra of cells.
+ */
 CellGeometry::Form FormOfCells(bool byRays, bool hasParts, bool mixed, int interpolation)
 {
   using Form = CellGeometry::Form;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Several volumes of one renderer: those that may cover one another are drawn at once, as one medium, by the first of them.
+// Several volumes of one renderer: those that may cover one another are drawn at once, as one
+// medium, by the first of them.
 #include "vtkCellCompositingMapper.h"
 
 #include "CellCompositingInternals.h"
@@ -161,7 +162,8 @@ std::vector<vtkCellCompositingMapper::vtkMedium> vtkCellCompositingMapper::FindM
   {
     return { alone };
   }
-  // Those that are apart are drawn one after another where something else may have to be drawn between them.
+  // Those that are apart are drawn one after another where something else may have to be drawn
+  // between them.
   const bool overlapping =
     candidates.size() > nephoscope::RayMedia::Most || VolumeOrder::HasOthers(renderer);
   for (bool found = true; found;)

@@ -55,7 +55,8 @@ bool vtkCellCompositingMapper::DrawsTrianglesOrFaces() const
     this->Method == FACES_METHOD;
 }
 
-// Where they are chosen, or cells are to be projected with what projection cannot draw: surfaces among them.
+// Where they are chosen, or cells are to be projected with what projection cannot draw: surfaces
+// among them.
 bool vtkCellCompositingMapper::UsesRays() const
 {
   const bool chosen = this->Method == RAY_METHOD ||
@@ -65,7 +66,8 @@ bool vtkCellCompositingMapper::UsesRays() const
   return !this->Internals->RaysAreWrong && (chosen || (surfaces && !this->DrawsTrianglesOrFaces()));
 }
 
-// Where this OpenGL does not draw right ray by ray, cells are projected; an error where that is not right either.
+// Where this OpenGL does not draw right ray by ray, cells are projected; an error where that is not
+// right either.
 std::string vtkCellCompositingMapper::ChooseWayOfDrawing(vtkOpenGLRenderWindow* window)
 {
   using nephoscope::DrawnBy;

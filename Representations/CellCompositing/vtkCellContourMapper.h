@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCellContourMapper
- * @brief contour surfaces, polygons and layers that vtkCellCompositingMapper composites with its cells
+ * @brief contour surfaces, polygons and layers that vtkCellCompositingMapper composites with its
+ *        cells
  *
  * An abstract class: these are settings of vtkCellCompositingMapper, which draws.
  */
@@ -31,10 +32,12 @@ public:
 
   ///@{
   /**
-   * Contour surfaces inside the volume, without geometry: wherever a ray crosses a contour value, a lit surface is composited between
-   * the media in front of it and behind it, so that all surfaces and cells are in exact order. Values may come in any order. Default:
-   * none. A surface is the boundary of the region where the scalar is at least the value, so a surface in a face between cells is
-   * drawn once. Surfaces are drawn in fully transparent cells too. Values that are not finite are rejected.
+   * Contour surfaces inside the volume, without geometry: wherever a ray crosses a contour value, a
+   * lit surface is composited between the media in front of it and behind it, so that all surfaces
+   * and cells are in exact order. Values may come in any order. Default: none. A surface is the
+   * boundary of the region where the scalar is at least the value, so a surface in a face between
+   * cells is drawn once. Surfaces are drawn in fully transparent cells too. Values that are not
+   * finite are rejected.
    * Within tetrahedra the surfaces are flat; hexahedra and other cells are divided into tetrahedra.
    */
   void SetContourValue(int i, double value);
@@ -47,8 +50,8 @@ public:
 
   ///@{
   /**
-   * Opacity of a contour surface, 0 to 1 (clamped). Default: 0.3. 0: not drawn, but still the boundary of layers. Without a number: for
-   * all surfaces.
+   * Opacity of a contour surface, 0 to 1 (clamped). Default: 0.3. 0: not drawn, but still the
+   * boundary of layers. Without a number: for all surfaces.
    */
   void SetContourOpacity(int i, double opacity);
   void SetContourOpacity(double opacity);
@@ -57,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Colour of a contour surface, 0 to 1 each. Default, or after SetContourColorToFunction: the colour of the volume property's
-   * colour function at the surface.
+   * Colour of a contour surface, 0 to 1 each. Default, or after SetContourColorToFunction: the
+   * colour of the volume property's colour function at the surface.
    */
   void SetContourColor(int i, double red, double green, double blue);
   void SetContourColorToFunction(int i);
@@ -68,9 +71,10 @@ public:
 
   ///@{
   /**
-   * Name of the point array to contour, for example for isotherms in clouds. Empty (default): the coloured array; for a
-   * vector, the component or the magnitude by which it is coloured. A cell array has no surfaces inside its cells. With a
-   * coloured cell array and no name here, or if the named array does not exist, no surface is drawn, with a warning.
+   * Name of the point array to contour, for example for isotherms in clouds. Empty (default): the
+   * coloured array; for a vector, the component or the magnitude by which it is coloured. A cell
+   * array has no surfaces inside its cells. With a coloured cell array and no name here, or if the
+   * named array does not exist, no surface is drawn, with a warning.
    */
   void SetContourArrayName(const std::string& name);
   std::string GetContourArrayName();
@@ -78,8 +82,9 @@ public:
 
   ///@{
   /**
-   * Lights the contour surfaces with the renderer's lights, as VTK lights surfaces (Phong), with ambient, diffuse, specular and
-   * specular power of the volume property, whatever its Shade is; the medium is not lit. Default: on. At most 16 lights are used.
+   * Lights the contour surfaces with the renderer's lights, as VTK lights surfaces (Phong), with
+   * ambient, diffuse, specular and specular power of the volume property, whatever its Shade is;
+   * the medium is not lit. Default: on. At most 16 lights are used.
    */
   void SetContourLighting(bool lighting);
   bool GetContourLighting();
@@ -89,8 +94,8 @@ public:
 
   ///@{
   /**
-   * Normals of the contour surfaces: interpolated between gradients at the points (smooth, default; 16 bytes per point), or the
-   * gradient in each tetrahedron, which shows the facets.
+   * Normals of the contour surfaces: interpolated between gradients at the points (smooth, default;
+   * 16 bytes per point), or the gradient in each tetrahedron, which shows the facets.
    */
   void SetSmoothContourNormals(bool smooth);
   bool GetSmoothContourNormals();
@@ -106,9 +111,11 @@ public:
   };
   ///@{
   /**
-   * Polygons of an unstructured grid that are composited with its cells, as lit, translucent surfaces in the correct order. They must
-   * lie in faces of cells, like those of vtkContourCellSplitter; others are left out, with a warning. Default: contours.
-   * - Contours: polygons whose cell array ContourIndex (from vtkContourCellSplitter or vtkCloudSurface) is 0 or more.
+   * Polygons of an unstructured grid that are composited with its cells, as lit, translucent
+   * surfaces in the correct order. They must lie in faces of cells, like those of
+   * vtkContourCellSplitter; others are left out, with a warning. Default: contours.
+   * - Contours: polygons whose cell array ContourIndex (from vtkContourCellSplitter or
+   *   vtkCloudSurface) is 0 or more.
    * - All: other polygons too, such as the boundary patches of a mesh file.
    * Lighting and normals are those of the contour surfaces. Costs 16 bytes per tetrahedron on
    * the GPU, and 64 per triangle.
@@ -122,8 +129,9 @@ public:
 
   ///@{
   /**
-   * Opacity of the polygons with a ContourIndex (0 without such an array), 0 to 1 (clamped). Default: 0.3. 0: not drawn. A negative number:
-   * for the contours without their own setting. Without a number: for all polygons.
+   * Opacity of the polygons with a ContourIndex (0 without such an array), 0 to 1 (clamped).
+   * Default: 0.3. 0: not drawn. A negative number: for the contours without their own setting.
+   * Without a number: for all polygons.
    */
   void SetPolygonOpacity(int contour, double opacity);
   void SetPolygonOpacity(double opacity);
@@ -131,7 +139,10 @@ public:
   ///@}
 
   ///@{
-  /** Colour of those polygons, 0 to 1 each. Default, or after SetPolygonColorToFunction: the colour of the colour function there. */
+  /**
+   * Colour of those polygons, 0 to 1 each. Default, or after SetPolygonColorToFunction: the colour
+   * of the colour function there.
+   */
   void SetPolygonColor(int contour, double red, double green, double blue);
   void SetPolygonColorToFunction(int contour);
   /** -1, -1, -1 if the colour function gives the colour. */
@@ -140,29 +151,38 @@ public:
 
   ///@{
   /**
-   * Colour function, opacity function and unit distance of one layer; layers without a property have the volume's. LayerArrayName
-   * or LayersFromContours defines the layers. Null removes a property.
-   * A property whose ScalarOpacityUnitDistance is exactly 1, VTK's default, has the volume's unit distance. Any other value is the
-   * layer's own; for a unit distance of 1 that differs from the volume's, set 1.0000001.
+   * Colour function, opacity function and unit distance of one layer; layers without a property
+   * have the volume's. LayerArrayName or LayersFromContours defines the layers. Null removes a
+   * property.
+   * A property whose ScalarOpacityUnitDistance is exactly 1, VTK's default, has the volume's unit
+   * distance. Any other value is the layer's own; for a unit distance of 1 that differs from the
+   * volume's, set 1.0000001.
    */
   void SetLayerProperty(int layer, vtkVolumeProperty* property);
   vtkVolumeProperty* GetLayerProperty(int layer);
   void RemoveAllLayerProperties();
-  /** How many layers have a property, and which ones: `i` counts from 0, in ascending order of layers. 0 if `i` is out of range. */
+  /**
+   * How many layers have a property, and which ones: `i` counts from 0, in ascending order of
+   * layers. 0 if `i` is out of range.
+   */
   int GetNumberOfLayerProperties() const;
   int GetLayerWithProperty(int i) const;
   ///@}
 
   ///@{
-  /** Name of the cell array with the layer number of each cell, as written by vtkContourCellSplitter. Default: empty, none. */
+  /**
+   * Name of the cell array with the layer number of each cell, as written by
+   * vtkContourCellSplitter. Default: empty, none.
+   */
   void SetLayerArrayName(const std::string& name);
   std::string GetLayerArrayName();
   ///@}
 
   ///@{
   /**
-   * The contour values divide the volume into layers, drawn or not: the layer of a point is the number of values at or below its
-   * scalar. Colour and opacity may be discontinuous across a surface, also inside a cell, without loss of accuracy. Default: off.
+   * The contour values divide the volume into layers, drawn or not: the layer of a point is the
+   * number of values at or below its scalar. Colour and opacity may be discontinuous across a
+   * surface, also inside a cell, without loss of accuracy. Default: off.
    * Ignored if LayerArrayName is set.
    */
   void SetLayersFromContours(bool layers);
@@ -171,7 +191,10 @@ public:
   void LayersFromContoursOff() { this->SetLayersFromContours(false); }
   ///@}
 
-  /** Copies the contour surfaces, polygons and layers. The list of layer properties is copied, the properties are shared. */
+  /**
+   * Copies the contour surfaces, polygons and layers. The list of layer properties is copied, the
+   * properties are shared.
+   */
   void ShallowCopy(vtkAbstractMapper* other) override;
 
 protected:

@@ -162,7 +162,8 @@ void vtkCloudTextureMapper::ShallowCopy(vtkAbstractMapper* other)
   }
 }
 
-// The superclass draws polygonal data only: another mapper of this kind does, with the blocks as one.
+// The superclass draws polygonal data only: another mapper of this kind does, with the blocks as
+// one.
 void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   vtkInternals& own = *this->Internals;
@@ -203,7 +204,8 @@ void vtkCloudTextureMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
 }
 
-// The superclass has set CurrentInput to the input, updated; what follows draws the prepared surface in its place.
+// The superclass has set CurrentInput to the input, updated; what follows draws the prepared
+// surface in its place.
 void vtkCloudTextureMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* actor)
 {
   this->PrepareSurface(this->CurrentInput);
@@ -346,8 +348,8 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(
   }
 }
 
-// Before the superclass makes objects in this window: it would release those in the other one then, and some windows (EGL's) leave
-// the context current in which they released something.
+// Before the superclass makes objects in this window: it would release those in the other one then,
+// and some windows (EGL's) leave the context current in which they released something.
 void vtkCloudTextureMapper::LeaveOtherWindow(vtkWindow* window)
 {
   vtkOpenGLRenderWindow* other = this->Internals->Window.Get();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkCloudTextureMapper keeps from frame to frame: its waves and their thresholds, the prepared surface, the passes.
+// What vtkCloudTextureMapper keeps from frame to frame: its waves and their thresholds, the
+// prepared surface, the passes.
 #ifndef vtkCloudTextureMapperInternals_h
 #define vtkCloudTextureMapperInternals_h
 

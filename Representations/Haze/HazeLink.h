@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What ties a haze to one renderer: it lives in the renderer's information and acts whenever the renderer starts and ends to draw. */
+/**
+ * What ties a haze to one renderer: it lives in the renderer's information and acts whenever the
+ * renderer starts and ends to draw.
+ */
 #ifndef nephoscope_HazeLink_h
 #define nephoscope_HazeLink_h
 

@@ -21,7 +21,10 @@ constexpr double heightsInScene = 3;
 constexpr double heightsInWidth = 10; // a thin scene in a thin layer would have no haze from above
 constexpr double deepest = 10; // scale heights under the ground, where air is 22,000 times as dense
 
-/** 1 if the scene has the size of the Earth in metres about the origin, 1000 if in kilometres; else 0. */
+/**
+ * 1 if the scene has the size of the Earth in metres about the origin, 1000 if in kilometres; else
+ * 0.
+ */
 double MetresPerUnitOfEarth(const HazeScene& scene)
 {
   for (const double metres : { 1.0, 1000.0 })
@@ -53,7 +56,9 @@ void Levels(const HazeScene& scene, const double up[3], double& low, double& hig
   }
 }
 
-/** The altitude over the ground of the eye or the highest corner of the bounds, in scale heights. */
+/**
+ * The altitude over the ground of the eye or the highest corner of the bounds, in scale heights.
+ */
 double HighestAltitude(const HazePlacement& place, vtkHaze* haze, const HazeScene& scene)
 {
   if (!place.OnGlobe)

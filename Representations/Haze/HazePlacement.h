@@ -1,14 +1,19 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The position and density of haze: its settings and, where these are automatic, values from the scene.
+ * The position and density of haze: its settings and, where these are automatic, values from the
+ * scene.
  *
  *     data of vtkGlobeGrid       its ground and exaggeration, a scale height of 8000 m
- *     the size of the Earth      about the origin, in m or km: a globe; its surface may be coarse, so a scale height of 0.5 % of the radius
- *     anything else              flat ground under the scene, a scale height of a third of its height, at least a tenth of its width
+ *     the size of the Earth      about the origin, in m or km: a globe; its surface may be
+ *                                coarse, so a scale height of 0.5 % of the radius
+ *     anything else              flat ground under the scene, a scale height of a third of its
+ *                                height, at least a tenth of its width
  *
- * The visibility left open is 24.5 displayed scale heights: straight down, 15 % of the light is the air's, and 196 km are those of a clear day.
- * Over flat ground under the scene it is at least 5.7 widths of the scene, so that a thin scene is visible from the side.
+ * The visibility left open is 24.5 displayed scale heights: straight down, 15 % of the light is the
+ * air's, and 196 km are those of a clear day.
+ * Over flat ground under the scene it is at least 5.7 widths of the scene, so that a thin scene is
+ * visible from the side.
  */
 #ifndef nephoscope_HazePlacement_h
 #define nephoscope_HazePlacement_h

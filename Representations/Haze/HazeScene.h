@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The input for placing haze: the bounds of a renderer's scene, and the field data of vtkGlobeGrid in it. */
+/**
+ * The input for placing haze: the bounds of a renderer's scene, and the field data of vtkGlobeGrid
+ * in it.
+ */
 #ifndef nephoscope_HazeScene_h
 #define nephoscope_HazeScene_h
 
@@ -27,7 +30,10 @@ struct HazeScene
   double VerticalExaggeration = 0; ///< 0: not told
 
   HazeScene() = default;
-  /** All visible props; of several that tell something the largest values count, whatever their order. */
+  /**
+   * All visible props; of several that tell something the largest values count, whatever their
+   * order.
+   */
   explicit HazeScene(vtkRenderer* renderer);
 
   /** The scene of all ranks. */
@@ -39,7 +45,10 @@ struct HazeScene
     return std::hypot(
       this->High[0] - this->Low[0], this->High[1] - this->Low[1], this->High[2] - this->Low[2]);
   }
-  /** From the origin to the farthest place of the bounds along an axis, in the mean of the three axes. */
+  /**
+   * From the origin to the farthest place of the bounds along an axis, in the mean of the three
+   * axes.
+   */
   double Reach() const
   {
     double sum = 0;

@@ -76,7 +76,8 @@ void HazeShaderPass::Leave(vtkRenderer* renderer)
   this->Renderer = nullptr;
 }
 
-// Where the colour is known and before depth peeling takes it: its tag is there in all versions of VTK.
+// Where the colour is known and before depth peeling takes it: its tag is there in all versions of
+// VTK.
 bool HazeShaderPass::PreReplaceShaderValues(
   std::string&, std::string&, std::string& fragmentShader, vtkAbstractMapper*, vtkProp*)
 {

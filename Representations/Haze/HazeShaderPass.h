@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Writes haze into the fragment shaders of vtkOpenGLPolyDataMapper and its subclasses, as passes of VTK write theirs: it is named in the property
- * keys of the props while the renderer draws. Every fragment is hazed where it is, opaque or translucent, and before layers are peeled,
- * blended or composited between ranks.
+ * Writes haze into the fragment shaders of vtkOpenGLPolyDataMapper and its subclasses, as passes of
+ * VTK write theirs: it is named in the property keys of the props while the renderer draws. Every
+ * fragment is hazed where it is, opaque or translucent, and before layers are peeled, blended or
+ * composited between ranks.
  */
 #ifndef nephoscope_HazeShaderPass_h
 #define nephoscope_HazeShaderPass_h

@@ -29,8 +29,9 @@ public:
   ~HazeShadows();
 
   /**
-   * Finds the clouds: volumes whose data have the point array SunTransmittance, for a sun in this direction (length 1; null: no sun, no shadows). The map is made anew where
-   * anything has changed. All ranks call this together.
+   * Finds the clouds: volumes whose data have the point array SunTransmittance, for a sun in this
+   * direction (length 1; null: no sun, no shadows). The map is made anew where anything has
+   * changed. All ranks call this together.
    */
   void Find(vtkRenderer* renderer, const double* towardsSun, const MaximumOfRanks& maximum);
   void Forget();

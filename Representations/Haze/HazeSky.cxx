@@ -27,8 +27,8 @@ vtkStandardNewMacro(HazeSky);
 
 namespace
 {
-// The sky lies on the far plane, at the depth of empty pixels. Compositing by depth drops such pixels: for it, the sky lies two steps of a
-// 24-bit depth buffer in front of them.
+// The sky lies on the far plane, at the depth of empty pixels. Compositing by depth drops such
+// pixels: for it, the sky lies two steps of a 24-bit depth buffer in front of them.
 constexpr float farPlane = 1;
 constexpr float beforeFarPlane = 1 - 0x1p-22f;
 const char* const vertexShader =

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Haze in front of the background, in the pixels that nothing opaque covers, whenever it is drawn among the opaque objects.
+ * Haze in front of the background, in the pixels that nothing opaque covers, whenever it is drawn
+ * among the opaque objects.
  * On several ranks one of them draws it, as the farthest layer of its picture.
  */
 #ifndef nephoscope_HazeSky_h
@@ -26,8 +27,8 @@ public:
   vtkTypeMacro(HazeSky, vtkProp);
 
   /**
-   * If several ranks draw, it has bounds on all sides of the camera until Leave. Compositing takes from the picture of each rank
-   * only the part in which the bounds of that rank lie.
+   * If several ranks draw, it has bounds on all sides of the camera until Leave. Compositing takes
+   * from the picture of each rank only the part in which the bounds of that rank lie.
    */
   void Enter(vtkHaze::SkyOfRank rank, vtkCamera* camera);
   void Leave() { this->UseBoundsOff(); }

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The haze of a renderer as its shaders take it. For mappers with programs of their own; those of vtkOpenGLPolyDataMapper are hazed unasked. */
+/**
+ * The haze of a renderer as its shaders take it. For mappers with programs of their own; those of
+ * vtkOpenGLPolyDataMapper are hazed unasked.
+ */
 #ifndef nephoscope_HazeView_h
 #define nephoscope_HazeView_h
 
@@ -29,8 +32,10 @@ public:
 
   bool IsOn() const { return this->On; }
 
-  /** shaders/Haze.glsl for a program that has SetUniforms called: within it NEPHOSCOPE_HAZE is defined. Whether a sun lights the haze is
-   * a constant. Empty where there is no haze. */
+  /**
+   * shaders/Haze.glsl for a program that has SetUniforms called: within it NEPHOSCOPE_HAZE is
+   * defined. Whether a sun lights the haze is a constant. Empty where there is no haze.
+   */
   std::string Definition() const;
 
   void SetUniforms(vtkShaderProgram* program) const;

@@ -222,7 +222,8 @@ bool SunlightMap::FindLattice(const std::vector<LitClouds>& clouds, const Maximu
   return true;
 }
 
-// Grids of another kind are moved into the frame of the sun, where a lattice is sampled cell by cell.
+// Grids of another kind are moved into the frame of the sun, where a lattice is sampled cell by
+// cell.
 void SunlightMap::SampleInside(
   vtkDataSet* clouds, vtkMatrix4x4* toSun, std::vector<double>& fractions) const
 {
@@ -253,7 +254,8 @@ void SunlightMap::SampleInside(
   }
 }
 
-// A mesh that is thin for the lattice has few nodes in it, or none: every face darkens the next node behind it.
+// A mesh that is thin for the lattice has few nodes in it, or none: every face darkens the next
+// node behind it.
 void SunlightMap::SampleFaces(
   vtkDataSet* clouds, vtkMatrix4x4* toSun, std::vector<double>& fractions) const
 {

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The fraction of the sun's beam that lit clouds let through to every place: on a lattice whose third axis points towards the sun. */
+/**
+ * The fraction of the sun's beam that lit clouds let through to every place: on a lattice whose
+ * third axis points towards the sun.
+ */
 #ifndef nephoscope_SunlightMap_h
 #define nephoscope_SunlightMap_h
 
@@ -29,8 +32,9 @@ class SunlightMap
 {
 public:
   /**
-   * `towardsSun` has length 1. Inside the meshes of clouds the map holds their array. Behind them the beam keeps the strength with which it has left the
-   * last face, and behind two clouds that of the darker one. All ranks call this together, with what clouds they have.
+   * `towardsSun` has length 1. Inside the meshes of clouds the map holds their array. Behind them
+   * the beam keeps the strength with which it has left the last face, and behind two clouds that of
+   * the darker one. All ranks call this together, with what clouds they have.
    */
   SunlightMap(const std::vector<LitClouds>& clouds, const double towardsSun[3],
     const MaximumOfRanks& maximum);
@@ -38,7 +42,10 @@ public:
   /** Fractions on the lattice, an array of floats; null: no rank has clouds. */
   vtkImageData* GetImage() const { return this->Image; }
 
-  /** From places in the world to (0 ... 1)^3, with the nodes of the lattice at the centres of texels. Below 0 on the third axis, the fraction is that at 0. */
+  /**
+   * From places in the world to (0 ... 1)^3, with the nodes of the lattice at the centres of
+   * texels. Below 0 on the third axis, the fraction is that at 0.
+   */
   vtkMatrix4x4* GetFromWorld() const { return this->FromWorld; }
 
 private:

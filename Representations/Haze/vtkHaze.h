@@ -4,17 +4,22 @@
  * @class vtkHaze
  * @brief Haze in front of everything that a renderer draws, less dense with altitude
  *
- * Density falls exponentially with altitude h, exp(-h / ScaleHeight), on a globe or over flat ground. The optical depth tau of the air between the
- * eye and a fragment is its analytic integral along the ray, and a colour F becomes exp(-tau) F + (1 - exp(-tau)) Color (Max, Crawfis and
- * Becker, New Techniques in 3D Scalar and Vector Field Visualization, Pacific Graphics 1993, section 4). Translucent layers are hazed at their
- * depth, in proportion to their opacity; together they give the result of haze in front of, between and behind them.
+ * Density falls exponentially with altitude h, exp(-h / ScaleHeight), on a globe or over flat
+ * ground. The optical depth tau of the air between the eye and a fragment is its analytic integral
+ * along the ray, and a colour F becomes exp(-tau) F + (1 - exp(-tau)) Color (Max, Crawfis and
+ * Becker, New Techniques in 3D Scalar and Vector Field Visualization, Pacific Graphics 1993,
+ * section 4). Translucent layers are hazed at their depth, in proportion to their opacity; together
+ * they give the result of haze in front of, between and behind them.
  *
- *     vtkHaze::SetHaze(renderer, haze)      one switch for the whole renderer; nullptr removes the haze
+ *     vtkHaze::SetHaze(renderer, haze)      one switch for the whole renderer; nullptr removes
+ *                                           the haze
  *
- * Haze covers everything that vtkOpenGLPolyDataMapper and its subclasses draw, opaque or translucent, including
- * vtkCloudTextureMapper; vtkCellCompositingMapper and vtkTexturedSplatMapper; and optionally the background. It does not cover volumes of VTK's own volume
- * mappers and 2-D actors. Lengths are in units of the scene, metres for the output of vtkGlobeGrid; settings that are 0 or automatic are derived from the
- * scene. Several renderers may share a haze.
+ * Haze covers everything that vtkOpenGLPolyDataMapper and its subclasses draw, opaque or
+ * translucent, including vtkCloudTextureMapper; vtkCellCompositingMapper and
+ * vtkTexturedSplatMapper; and optionally the background. It does not cover volumes of VTK's own
+ * volume mappers and 2-D actors. Lengths are in units of the scene, metres for the output of
+ * vtkGlobeGrid; settings that are 0 or automatic are derived from the scene. Several renderers may
+ * share a haze.
  */
 #ifndef vtkHaze_h
 #define vtkHaze_h
@@ -35,13 +40,19 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Sets the haze of a renderer and replaces earlier haze. nullptr: no haze. The renderer holds a reference to the haze. */
+  /**
+   * Sets the haze of a renderer and replaces earlier haze. nullptr: no haze. The renderer holds a
+   * reference to the haze.
+   */
   static void SetHaze(vtkRenderer* renderer, vtkHaze* haze);
   static vtkHaze* GetHaze(vtkRenderer* renderer);
   ///@}
 
   ///@{
-  /** Turns the haze on and off. Default: on. If it is off, the picture is bit-identical to the picture without haze. */
+  /**
+   * Turns the haze on and off. Default: on. If it is off, the picture is bit-identical to the
+   * picture without haze.
+   */
   vtkSetMacro(Enabled, bool);
   vtkGetMacro(Enabled, bool);
   vtkBooleanMacro(Enabled, bool);
@@ -56,10 +67,12 @@ public:
 
   ///@{
   /**
-   * Meaning of altitude: the height above the sphere of PlanetRadius about Center (globe), or above BaseLevel along UpDirection (map).
-   * Automatic (default): a globe if PlanetRadius is given; otherwise the projection in the field data that vtkGlobeGrid wrote; without these,
-   * a globe if the scene lies around the origin and is as large as the Earth in m or km, otherwise a map with the ground under the scene, to
-   * which BaseLevel is added.
+   * Meaning of altitude: the height above the sphere of PlanetRadius about Center (globe), or above
+   * BaseLevel along UpDirection (map).
+   * Automatic (default): a globe if PlanetRadius is given; otherwise the projection in the field
+   * data that vtkGlobeGrid wrote; without these, a globe if the scene lies around the origin and is
+   * as large as the Earth in m or km, otherwise a map with the ground under the scene, to which
+   * BaseLevel is added.
    */
   vtkSetClampMacro(Projection, int, GLOBE, AUTOMATIC);
   vtkGetMacro(Projection, int);
@@ -70,26 +83,29 @@ public:
 
   ///@{
   /**
-   * Meteorological visibility: the distance along the ground at altitude 0 at which 2 % of the contrast is left
-   * (Koschmieder1924). The extinction coefficient there is 3.912 / Visibility. >= 0 and finite; 0 (default): 24.5 displayed scale
-   * heights; without a globe or map, at least 5.7 widths of the scene. Real air has 1e4 to 3e5 m; views of weather
-   * span thousands of kilometres.
+   * Meteorological visibility: the distance along the ground at altitude 0 at which 2 % of the
+   * contrast is left (Koschmieder1924). The extinction coefficient there is 3.912 / Visibility. >=
+   * 0 and finite; 0 (default): 24.5 displayed scale heights; without a globe or map, at least 5.7
+   * widths of the scene. Real air has 1e4 to 3e5 m; views of weather span thousands of kilometres.
    */
   void SetVisibility(double visibility);
   vtkGetMacro(Visibility, double);
   ///@}
 
   ///@{
-  /** Extinction coefficient at altitude 0, an alternative to Visibility. >= 0 and finite; 0: no haze. -1 if Visibility is chosen from the scene. */
+  /**
+   * Extinction coefficient at altitude 0, an alternative to Visibility. >= 0 and finite; 0: no
+   * haze. -1 if Visibility is chosen from the scene.
+   */
   void SetExtinction(double extinction);
   vtkGetMacro(Extinction, double);
   ///@}
 
   ///@{
   /**
-   * Height over which the density falls to 1/e, before exaggeration. >= 0 and finite; 0 (default): 8000, the value of air, with
-   * vtkGlobeGrid; 0.5 % of the radius on any other globe; otherwise a third of the height of the scene. Smoke and dust have 1000
-   * to 2000 m.
+   * Height over which the density falls to 1/e, before exaggeration. >= 0 and finite; 0 (default):
+   * 8000, the value of air, with vtkGlobeGrid; 0.5 % of the radius on any other globe; otherwise a
+   * third of the height of the scene. Smoke and dust have 1000 to 2000 m.
    */
   void SetScaleHeight(double height);
   vtkGetMacro(ScaleHeight, double);
@@ -97,8 +113,8 @@ public:
 
   ///@{
   /**
-   * Vertical exaggeration of the scene; it multiplies the scale height. >= 0 and finite; 0 (default): the value in the field data that vtkGlobeGrid
-   * wrote, otherwise 1.
+   * Vertical exaggeration of the scene; it multiplies the scale height. >= 0 and finite; 0
+   * (default): the value in the field data that vtkGlobeGrid wrote, otherwise 1.
    */
   void SetVerticalExaggeration(double factor);
   vtkGetMacro(VerticalExaggeration, double);
@@ -118,9 +134,11 @@ public:
 
   ///@{
   /**
-   * Direction towards the sun, in the coordinates of the scene, finite. (0, 0, 0), the default: the sun of the renderer, if ParaView's Sun
-   * lights it; otherwise haze has the same colour everywhere. With a sun, haze scatters its light towards the eye with the phase function of Henyey and Greenstein (mean over all directions 1), and the haze in between attenuates it:
-   * haze is brightest around the sun, and dark at night. Costs several times as much.
+   * Direction towards the sun, in the coordinates of the scene, finite. (0, 0, 0), the default: the
+   * sun of the renderer, if ParaView's Sun lights it; otherwise haze has the same colour
+   * everywhere. With a sun, haze scatters its light towards the eye with the phase function of
+   * Henyey and Greenstein (mean over all directions 1), and the haze in between attenuates it: haze
+   * is brightest around the sun, and dark at night. Costs several times as much.
    */
   void SetSunDirection(double x, double y, double z);
   void SetSunDirection(const double sun[3]) VTK_SIZEHINT(3)
@@ -131,14 +149,18 @@ public:
   ///@}
 
   ///@{
-  /** With a sun: asymmetry parameter of the haze, -0.95 to 0.95. Default: 0.5, between air (0) and particles (0.7). */
+  /**
+   * With a sun: asymmetry parameter of the haze, -0.95 to 0.95. Default: 0.5, between air (0) and
+   * particles (0.7).
+   */
   vtkSetClampMacro(Asymmetry, double, -0.95, 0.95);
   vtkGetMacro(Asymmetry, double);
   ///@}
 
   ///@{
   /**
-   * With a sun: clouds that are lit by vtkSunlight with the same sun, and drawn as volumes, cast shadows in the haze, with shafts of light between them. Default: on.
+   * With a sun: clouds that are lit by vtkSunlight with the same sun, and drawn as volumes, cast
+   * shadows in the haze, with shafts of light between them. Default: on.
    */
   vtkSetMacro(CloudShadows, bool);
   vtkGetMacro(CloudShadows, bool);
@@ -156,7 +178,10 @@ public:
   ///@}
 
   ///@{
-  /** Globe: radius at altitude 0. >= 0 and finite; 0 (default): the value in the field data that vtkGlobeGrid wrote, otherwise 6371000 m. */
+  /**
+   * Globe: radius at altitude 0. >= 0 and finite; 0 (default): the value in the field data that
+   * vtkGlobeGrid wrote, otherwise 6371000 m.
+   */
   void SetPlanetRadius(double radius);
   vtkGetMacro(PlanetRadius, double);
   ///@}
@@ -178,7 +203,10 @@ public:
   ///@}
 
   ///@{
-  /** Draws haze over the background too, along rays that end in the sky or at altitude 0. Default: on. */
+  /**
+   * Draws haze over the background too, along rays that end in the sky or at altitude 0. Default:
+   * on.
+   */
   vtkSetMacro(Background, bool);
   vtkGetMacro(Background, bool);
   vtkBooleanMacro(Background, bool);
@@ -205,7 +233,10 @@ public:
     return this->MaximumOfRanks;
   }
 
-  /** How this process draws haze in front of the background of a picture that several ranks may draw together. */
+  /**
+   * How this process draws haze in front of the background of a picture that several ranks may draw
+   * together.
+   */
   enum class SkyOfRank
   {
     ALONE,    ///< no other rank draws
@@ -214,7 +245,10 @@ public:
     NONE      ///< another rank draws it
   };
 
-  /** Called when the renderer starts to draw, on every rank. One of them must draw the haze. Default: ALONE. */
+  /**
+   * Called when the renderer starts to draw, on every rank. One of them must draw the haze.
+   * Default: ALONE.
+   */
   void SetFindSkyOfRank(std::function<SkyOfRank()> find)
   {
     this->FindSkyOfRank = std::move(find);

@@ -237,7 +237,8 @@ std::string vtkSplatSpeedKey::Describe(
   arrow = 0.0;
   if (mapper->GetTrueSpeed() && passing > 0.0 && pixels > 0.0)
   {
-    // A round number of seconds in which the way of the longest vectors is long enough; at least one.
+    // A round number of seconds in which the way of the longest vectors is long enough; at least
+    // one.
     const double needed = shortest / (greatest * passing * pixels);
     const double below = nephoscope::RoundDown(std::max(needed, 1.0));
     const double seconds = below < needed ? nephoscope::RoundDown(2.5 * below) : below;

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSplatSpeedKey
- * @brief   legend of the vectors of textured splats: how fast they move in the film, and what their length means
+ * @brief   legend of the vectors of textured splats: how fast they move in the film, and what their
+ *          length means
  *
- * An arrow as long as the distance that a stated speed covers in a second of the film (or in 2, 5, 10, ... if that is short),
- * and text: the speed and the distance, the time in the data per second of the film, and the speed of the fastest streaks or the longest segments. It
- * follows the camera; in perspective the arrow is correct at the distance of the focal point. Without TrueSpeed there are only the words about the
- * longest ones. Nothing is drawn before the vectors are, or where the volume is not in the window. The position, which may be set, is that of the lower left corner.
- * Where a scalar bar or an earlier key of the renderer is there already, the key moves up; a key that would repeat an earlier one is not drawn.
+ * An arrow as long as the distance that a stated speed covers in a second of the film (or in 2, 5,
+ * 10, ... if that is short), and text: the speed and the distance, the time in the data per second
+ * of the film, and the speed of the fastest streaks or the longest segments. It follows the camera;
+ * in perspective the arrow is correct at the distance of the focal point. Without TrueSpeed there
+ * are only the words about the longest ones. Nothing is drawn before the vectors are, or where the
+ * volume is not in the window. The position, which may be set, is that of the lower left corner.
+ * Where a scalar bar or an earlier key of the renderer is there already, the key moves up; a key
+ * that would repeat an earlier one is not drawn.
  */
 #ifndef vtkSplatSpeedKey_h
 #define vtkSplatSpeedKey_h
@@ -41,14 +45,18 @@ public:
 
   ///@{
   /**
-   * Unit of the vectors. With "m/s", for data in metres, distances and times have units too, such as km and h. Default: empty, numbers only.
+   * Unit of the vectors. With "m/s", for data in metres, distances and times have units too, such
+   * as km and h. Default: empty, numbers only.
    */
   vtkSetMacro(SpeedUnit, std::string);
   vtkGetMacro(SpeedUnit, std::string);
   ///@}
 
   ///@{
-  /** Name of the unit in which the film is measured here, and its length in seconds of the mapper's FilmTime. Default: "s of film", 1. */
+  /**
+   * Name of the unit in which the film is measured here, and its length in seconds of the mapper's
+   * FilmTime. Default: "s of film", 1.
+   */
   vtkSetMacro(FilmUnit, std::string);
   vtkGetMacro(FilmUnit, std::string);
   vtkSetClampMacro(FilmUnitSeconds, double, 1e-30, 1e30);
@@ -56,13 +64,19 @@ public:
   ///@}
 
   ///@{
-  /** On (default): black on a bright background, otherwise white, on a veil of the opposite colour. Off: the colours of the text property. */
+  /**
+   * On (default): black on a bright background, otherwise white, on a veil of the opposite colour.
+   * Off: the colours of the text property.
+   */
   vtkSetMacro(AutomaticColor, bool);
   vtkGetMacro(AutomaticColor, bool);
   vtkBooleanMacro(AutomaticColor, bool);
   ///@}
 
-  /** Font, size and colour. Where the view is too narrow for a line, the letters are smaller, down to three quarters of the size, and then the line is broken. */
+  /**
+   * Font, size and colour. Where the view is too narrow for a line, the letters are smaller, down
+   * to three quarters of the size, and then the line is broken.
+   */
   vtkTextProperty* GetTextProperty();
 
   /** What the last render wrote; empty if nothing. */

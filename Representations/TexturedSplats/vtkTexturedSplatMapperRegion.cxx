@@ -35,7 +35,8 @@ void vtkTexturedSplatMapper::SetCommonFrame(
   this->Modified();
 }
 
-// Nodes of the hierarchy reach too far beyond the border to be exchanged. All processes must answer alike.
+// Nodes of the hierarchy reach too far beyond the border to be exchanged. All processes must answer
+// alike.
 bool vtkTexturedSplatMapper::DrawsRegion(vtkRenderer* renderer) const
 {
   vtkIdType most = 0;

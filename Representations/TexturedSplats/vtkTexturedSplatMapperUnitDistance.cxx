@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The unit distance that makes splats visible, whatever their size and number, and streaks that leave them readable.
+// The unit distance that makes splats visible, whatever their size and number, and streaks that
+// leave them readable.
 #include "vtkTexturedSplatMapper.h"
 
 #include "ArraySelection.h"

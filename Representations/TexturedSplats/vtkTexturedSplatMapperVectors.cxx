@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The vectors of vtkTexturedSplatMapper: what the drawing needs of their settings, and how they move.
+// The vectors of vtkTexturedSplatMapper: what the drawing needs of their settings, and how they
+// move.
 #include "vtkTexturedSplatMapper.h"
 
 #include "ContrastingColor.h"

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The light of a ray segment with linear extinction and source colour (WilliamsMax1992), three independent ways, in long double:
- * adaptive Gauss-Kronrod quadrature of the emission, the closed form with erf, and a series in spherical Bessel functions.
+ * The light of a ray segment with linear extinction and source colour (WilliamsMax1992), three
+ * independent ways, in long double: adaptive Gauss-Kronrod quadrature of the emission, the closed
+ * form with erf, and a series in spherical Bessel functions.
  * Slow, and accurate to about 1e-15 of the weights.
  */
 #ifndef nephoscope_SegmentReference_h
@@ -83,7 +84,9 @@ inline ReferenceWeights FindReferenceWeights(long double tauFront, long double t
   return sum;
 }
 
-/** Psi = int_0^1 exp(-A(t)) dt from erf; for tb > tf not too close to each other, and tf not large. */
+/**
+ * Psi = int_0^1 exp(-A(t)) dt from erf; for tb > tf not too close to each other, and tf not large.
+ */
 inline long double ClosedFormPsi(long double tf, long double tb)
 {
   const long double d = tb - tf, q = std::sqrt(2 * d);
@@ -91,7 +94,10 @@ inline long double ClosedFormPsi(long double tf, long double tb)
     (std::erf(tb / q) - std::erf(tf / q));
 }
 
-/** Psi = exp(-z) sum_k r^k i_k(z), z = (tf + tb) / 4, r = (tb - tf) / (tb + tf), i_k the modified spherical Bessel functions. */
+/**
+ * Psi = exp(-z) sum_k r^k i_k(z), z = (tf + tb) / 4, r = (tb - tf) / (tb + tf), i_k the modified
+ * spherical Bessel functions.
+ */
 inline long double BesselSeriesPsi(long double tf, long double tb)
 {
   const long double z = 0.25L * (tf + tb), r = (tb - tf) / (tb + tf);

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Evaluates GLSL functions on lists of numbers: item i of two input lists is given to the shader as vec4 `first` and `second`,
- * and what it writes to vec4 `result` comes back, all in 32-bit float. For tests of shaders against C++.
+ * Evaluates GLSL functions on lists of numbers: item i of two input lists is given to the shader as
+ * vec4 `first` and `second`, and what it writes to vec4 `result` comes back, all in 32-bit float.
+ * For tests of shaders against C++.
  *
  * Declare such a test with nephoscope_add_shader_test. Without a display it exits with 125.
  */

@@ -26,7 +26,10 @@ namespace nephoscope_test
 
 using Place = std::function<void(double i, double j, double k, double x[3])>;
 
-/** A structured grid of n0 x n1 x n2 cells, double coordinates, whose point (i, j, k) `place` puts somewhere. */
+/**
+ * A structured grid of n0 x n1 x n2 cells, double coordinates, whose point (i, j, k) `place` puts
+ * somewhere.
+ */
 inline vtkSmartPointer<vtkStructuredGrid> MakeStructuredGrid(
   int n0, int n1, int n2, const Place& place)
 {
@@ -59,7 +62,10 @@ inline vtkSmartPointer<vtkStructuredGrid> MakeLattice(int n)
   });
 }
 
-/** A shell around the origin in longitude, latitude (degrees) and radius; the first and last meridian coincide exactly. */
+/**
+ * A shell around the origin in longitude, latitude (degrees) and radius; the first and last
+ * meridian coincide exactly.
+ */
 inline vtkSmartPointer<vtkStructuredGrid> MakeShell(
   int longitudes, int latitudes, int layers, double largestLatitude, double inner, double outer)
 {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Random numbers for property tests. The seed is fixed, so that a run can be repeated, and printed; the environment variable
- * NEPHOSCOPE_TEST_SEED replaces it.
+ * Random numbers for property tests. The seed is fixed, so that a run can be repeated, and printed;
+ * the environment variable NEPHOSCOPE_TEST_SEED replaces it.
  */
 #ifndef nephoscope_TestRandom_h
 #define nephoscope_TestRandom_h

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Convex cells cut into tetrahedra: they fill the cell once, and neighbours agree about their common face.
+// Convex cells cut into tetrahedra: they fill the cell once, and neighbours agree about their
+// common face.
 #include "CellDecomposition.h"
 
 #include "TestRandom.h"
@@ -133,7 +134,7 @@ protected:
   const Cell Subject = MakeCells()[std::size_t(this->GetParam())];
 };
 
-// ---- meshes of several cells --------------------------------------------------------------------------------------
+// ---- meshes of several cells --------------------------------------------------------------------
 
 struct Mesh
 {
@@ -166,7 +167,10 @@ void ForEachFace(const std::vector<int>& faces, Visit visit)
   }
 }
 
-/** Counts of how often each triangle of the tetrahedra occurs, against what the polygons of the cells promise. */
+/**
+ * Counts of how often each triangle of the tetrahedra occurs, against what the polygons of the
+ * cells promise.
+ */
 void ExpectMatchingFaces(const Mesh& mesh, const std::vector<int>& rank)
 {
   std::map<std::vector<int>, int> polygons, triangles;
@@ -210,7 +214,10 @@ std::vector<int> RandomRanks(Random& random, int n)
   return rank;
 }
 
-/** n^3 hexahedra; some whole columns are cut into wedges, some single cells into six pyramids or made polyhedra. */
+/**
+ * n^3 hexahedra; some whole columns are cut into wedges, some single cells into six pyramids or
+ * made polyhedra.
+ */
 Mesh MixedLattice(Random& random, int n, bool mixed)
 {
   Mesh mesh;
@@ -254,7 +261,10 @@ Mesh MixedLattice(Random& random, int n, bool mixed)
   return mesh;
 }
 
-/** Layers of a prism over a polygon with a ring around it: hexahedra, every second one cut into wedges. */
+/**
+ * Layers of a prism over a polygon with a ring around it: hexahedra, every second one cut into
+ * wedges.
+ */
 template <std::size_t N>
 Mesh PrismStack(const int (&prismFaces)[N], int sides, int layers)
 {
@@ -338,7 +348,8 @@ TEST_P(DecomposedCell, NothingOverlaps)
 }
 INSTANTIATE_TEST_SUITE_P(CellDecomposition, DecomposedCell, ::testing::Range(0, 9));
 
-// Coned from a vertex, a cell gives as many tetrahedra as there are triangles on the faces without it, whichever vertex.
+// Coned from a vertex, a cell gives as many tetrahedra as there are triangles on the faces without
+// it, whichever vertex.
 TEST(CellDecomposition, NumbersOfTetrahedra)
 {
   Random random(33);

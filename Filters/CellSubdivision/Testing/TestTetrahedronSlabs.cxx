@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Contour levels, and tetrahedra divided at them: every arrangement of five vertices among three values.
+// Contour levels, and tetrahedra divided at them: every arrangement of five vertices among three
+// values.
 #include "CutTable.h"
 #include "TetrahedronSlabs.h"
 

@@ -14,7 +14,8 @@ TEST(ParticleOptics, ExtinctionByHand)
   EXPECT_EQ(particles::Extinction(0.0, particles::WATER_DENSITY, 10e-6), 0.0);
 }
 
-// Slingo1989: beta = L (2.817e-2 + 1.305 / r) m2/g in the visible; the limit of large particles is within 8 % of it.
+// Slingo1989: beta = L (2.817e-2 + 1.305 / r) m2/g in the visible; the limit of large particles is
+// within 8 % of it.
 TEST(ParticleOptics, DropletsAgreeWithSlingo)
 {
   for (double r : { 5.0, 8.0, 10.0 })
@@ -28,7 +29,8 @@ TEST(ParticleOptics, DropletsAgreeWithSlingo)
   EXPECT_NEAR(1 - particles::DropletAlbedo(10), 1.574e-6, 1e-9);
 }
 
-// Fu1996: beta = I (-6.656e-6 + 2.519884 / D) m2/g with the generalized effective size D in micrometres.
+// Fu1996: beta = I (-6.656e-6 + 2.519884 / D) m2/g with the generalized effective size D in
+// micrometres.
 TEST(ParticleOptics, CrystalsAgreeWithFu)
 {
   for (double size : { 20.0, 50.0, 100.0, 155.0 })
@@ -50,7 +52,8 @@ TEST(ParticleSize, DropletsByHand)
   EXPECT_EQ(particles::DropletRadius(1, 100e6, 0.8), 24e-6);
 }
 
-// 0.01 g/m3 at -40: (1.2351 - 0.42) (45.8966 * 0.360744 + 0.7957 * 0.311172 * 150) = 43.767; times 0.6495 = 28.43 micrometres.
+// 0.01 g/m3 at -40: (1.2351 - 0.42) (45.8966 * 0.360744 + 0.7957 * 0.311172 * 150) = 43.767; times
+// 0.6495 = 28.43 micrometres.
 TEST(ParticleSize, CrystalsByHand)
 {
   EXPECT_NEAR(particles::CrystalRadius(1e-5, 233.15), 28.43e-6, 0.01e-6);
@@ -58,7 +61,8 @@ TEST(ParticleSize, CrystalsByHand)
   EXPECT_GE(particles::CrystalRadius(0, 150.0), 12.9e-6);
 }
 
-// Rain of 1 g/m3 by MarshallPalmer1948: slope (pi 1000 8e6 / 1e-3)^(1/4) = 2239.06 1/m; 1.5 / slope = 0.6699 mm.
+// Rain of 1 g/m3 by MarshallPalmer1948: slope (pi 1000 8e6 / 1e-3)^(1/4) = 2239.06 1/m; 1.5 / slope
+// = 0.6699 mm.
 TEST(ParticleSize, RainByHand)
 {
   EXPECT_NEAR(particles::RainRadius(1e-3), 0.66992e-3, 1e-7);

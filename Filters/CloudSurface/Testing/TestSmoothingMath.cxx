@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The exchange between neighbours, the volumes of points and the neighbours themselves, against closed forms.
+// The exchange between neighbours, the volumes of points and the neighbours themselves, against
+// closed forms.
 #include "DualCells.h"
 #include "GridTopology.h"
 #include "SmoothingKernel.h"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// When the input of a filter was last changed otherwise than by its time: what is found from the data once, for all times, is found anew only then.
+// When the input of a filter was last changed otherwise than by its time: what is found from the
+// data once, for all times, is found anew only then.
 #ifndef nephoscope_ChangeOfInput_h
 #define nephoscope_ChangeOfInput_h
 
@@ -11,7 +12,8 @@
 
 namespace nephoscope
 {
-// The newest change of `filter` and of all filters before it. Another time step of the same series does not change it.
+// The newest change of `filter` and of all filters before it. Another time step of the same series
+// does not change it.
 inline vtkMTimeType ChangeOfPipeline(vtkAlgorithm* filter)
 {
   auto* pipeline = vtkDemandDrivenPipeline::SafeDownCast(filter->GetExecutive());

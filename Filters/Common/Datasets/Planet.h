@@ -31,7 +31,8 @@ struct VTKNEPHOSCOPEFILTERSCOMMON_EXPORT Planet
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT Planet FindPlanet(
   vtkDataSet* data, const Vector3& up = { { 0, 0, 1 } });
 
-// The planet's radius, if the data are on a map of vtkGlobeGrid, x and y of which are the radius times longitude and latitude; 0 elsewhere.
+// The planet's radius, if the data are on a map of vtkGlobeGrid, x and y of which are the radius
+// times longitude and latitude; 0 elsewhere.
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double RadiusOfMap(vtkDataSet* data);
 }
 

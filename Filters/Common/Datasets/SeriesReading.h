@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Reading of a time series by one filter: its update requests one time step after another, in separate passes (CONTINUE_EXECUTING). */
+/**
+ * Reading of a time series by one filter: its update requests one time step after another, in
+ * separate passes (CONTINUE_EXECUTING).
+ */
 #ifndef nephoscope_SeriesReading_h
 #define nephoscope_SeriesReading_h
 
@@ -24,10 +27,16 @@ struct VTKNEPHOSCOPEFILTERSCOMMON_EXPORT SeriesReading
   bool Continuing = false;   ///< in the middle of an update
   bool AwaitsData = false;   ///< between RequestUpdateExtent and RequestData
 
-  /** For RequestInformation: reads the times of the input, which may be null. True if they have changed. */
+  /**
+   * For RequestInformation: reads the times of the input, which may be null. True if they have
+   * changed.
+   */
   bool TakeTimes(vtkInformation* input);
 
-  /** The first time step that is not finite or not after its predecessor; the number of time steps if there is none. */
+  /**
+   * The first time step that is not finite or not after its predecessor; the number of time steps
+   * if there is none.
+   */
   std::size_t FirstOutOfOrder() const;
 
   /** For ProcessRequest: an update begins, although the last one has not come to RequestData. */
@@ -39,7 +48,10 @@ struct VTKNEPHOSCOPEFILTERSCOMMON_EXPORT SeriesReading
   void GoOn(vtkInformation* request);
   void End(vtkInformation* request);
 
-  /** The same outside RequestData: if the input fails, an executive that was told to continue would repeat its requests for ever. */
+  /**
+   * The same outside RequestData: if the input fails, an executive that was told to continue would
+   * repeat its requests for ever.
+   */
   void Stop(vtkExecutive* executive);
 };
 

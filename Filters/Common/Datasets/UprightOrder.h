@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An order of the points of a structured grid in which the third index counts upwards, and the first one closes on itself if another horizontal one does:
-// what is computed along columns does not depend on how a grid is stored.
+// An order of the points of a structured grid in which the third index counts upwards, and the
+// first one closes on itself if another horizontal one does: what is computed along columns does
+// not depend on how a grid is stored.
 #ifndef nephoscope_UprightOrder_h
 #define nephoscope_UprightOrder_h
 
@@ -25,7 +26,8 @@ public:
   using UpAt = std::function<Vector3(const Vector3&)>;
 
   UprightOrder() = default;
-  // `placeOf` gives the place of a point by its number in the data, `upAt` the unit vector upwards there.
+  // `placeOf` gives the place of a point by its number in the data, `upAt` the unit vector upwards
+  // there.
   UprightOrder(const Sizes& sizes, const PlaceOf& placeOf, const UpAt& upAt);
 
   // The same for cells.

@@ -21,7 +21,9 @@ inline bool IsInternalArray(const char* name)
     text == vtkDataSetAttributes::GhostArrayName();
 }
 
-/** With commas between them; "none" without arrays. `components`: only those with so many; 0: all. */
+/**
+ * With commas between them; "none" without arrays. `components`: only those with so many; 0: all.
+ */
 inline std::string NamesOfArrays(vtkFieldData* data, int components = 0)
 {
   std::string names;

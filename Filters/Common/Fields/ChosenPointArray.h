@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The point array a filter works on. A host that creates a filter before its input has been computed has no array names yet and
-// passes an empty name. An empty name therefore means that nothing has been chosen, and the input's default is used.
+// The point array a filter works on. A host that creates a filter before its input has been
+// computed has no array names yet and passes an empty name. An empty name therefore means that
+// nothing has been chosen, and the input's default is used.
 #ifndef nephoscope_ChosenPointArray_h
 #define nephoscope_ChosenPointArray_h
 
@@ -51,7 +52,8 @@ inline vtkDataArray* DefaultPointArray(vtkPointData* data)
   return nullptr;
 }
 
-// Whether a block has the array that the filter works on. One that has it at its cells counts, because that deserves a message of its own.
+// Whether a block has the array that the filter works on. One that has it at its cells counts,
+// because that deserves a message of its own.
 inline bool HasChosenPointArray(vtkAlgorithm* filter, vtkDataSet* block)
 {
   if (IsNoArrayChosen(filter))
@@ -65,7 +67,8 @@ inline bool HasChosenPointArray(vtkAlgorithm* filter, vtkDataSet* block)
                   wanted->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE())) != nullptr;
 }
 
-// The range of the default point arrays of a dataset or of all in a group, without fill values (1e30 or more); the first one above the last if there is none.
+// The range of the default point arrays of a dataset or of all in a group, without fill values
+// (1e30 or more); the first one above the last if there is none.
 inline std::array<double, 2> RangeOfDefaultArrays(vtkDataObject* data)
 {
   std::array<double, 2> range = { std::numeric_limits<double>::max(),

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Contour values that are all initialized: vtkContourValues leaves values that were not set uninitialized.
+// Contour values that are all initialized: vtkContourValues leaves values that were not set
+// uninitialized.
 #ifndef nephoscope_ContourValueList_h
 #define nephoscope_ContourValueList_h
 

@@ -12,7 +12,8 @@
 
 namespace nephoscope
 {
-// The CF reader writes the units of variable x into the field data array x_units. Empty if there is none.
+// The CF reader writes the units of variable x into the field data array x_units. Empty if there is
+// none.
 inline std::string UnitsOf(vtkFieldData* fieldData, const std::string& name)
 {
   auto* units = fieldData

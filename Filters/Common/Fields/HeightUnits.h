@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The units of a height array: from the file, otherwise from a comparison with the standard atmosphere. Plain C++17.
+// The units of a height array: from the file, otherwise from a comparison with the standard
+// atmosphere. Plain C++17.
 #ifndef nephoscope_HeightUnits_h
 #define nephoscope_HeightUnits_h
 
@@ -37,7 +38,8 @@ inline double MetresPer(HeightUnits units)
   }
 }
 
-// A file's word for a unit without blanks, dots, stars and carets, in small letters: "m**2 s**-2" is "m2s-2".
+// A file's word for a unit without blanks, dots, stars and carets, in small letters: "m**2 s**-2"
+// is "m2s-2".
 inline std::string PlainUnits(std::string text)
 {
   text.erase(std::remove_if(text.begin(), text.end(),
@@ -70,8 +72,9 @@ inline HeightUnits HeightUnitsOf(const std::string& text)
   return text == "km" || text == "gpkm" ? HeightUnits::Kilometre : HeightUnits::Automatic;
 }
 
-// True if heights that are `ratio` times those of the standard atmosphere, on average, may be of this unit. Weather
-// and terrain change them by less than a third, and the next unit is ten times larger.
+// True if heights that are `ratio` times those of the standard atmosphere, on average, may be of
+// this unit. Weather and terrain change them by less than a third, and the next unit is ten times
+// larger.
 inline bool RatioFits(double ratio, HeightUnits units)
 {
   const double inMetres = ratio * MetresPer(units);

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The 1976 US standard atmosphere up to 84.852 km, in closed form (StandardAtmosphere1976, part 1, section
-// 1.2: seven layers of constant temperature gradient, equations 23, 33a and 33b). Plain C++17.
+// The 1976 US standard atmosphere up to 84.852 km, in closed form (StandardAtmosphere1976, part 1,
+// section 1.2: seven layers of constant temperature gradient, equations 23, 33a and 33b). Plain
+// C++17.
 //
-// Heights are geopotential metres, pressures pascals, temperatures kelvins, densities kg/m3. Below the sea
-// level and above the top the first and the last layer go on.
+// Heights are geopotential metres, pressures pascals, temperatures kelvins, densities kg/m3. Below
+// the sea level and above the top the first and the last layer go on.
 #ifndef nephoscope_StandardAtmosphere_h
 #define nephoscope_StandardAtmosphere_h
 
@@ -25,7 +26,8 @@ struct Layer
   double pressure;
 };
 
-// Table 4 gives heights and gradients; temperatures and pressures at the layer bases follow from them.
+// Table 4 gives heights and gradients; temperatures and pressures at the layer bases follow from
+// them.
 inline constexpr Layer LAYERS[7] = {
   { 0.0, 288.15, -0.0065, 101325.0 },
   { 11000.0, 216.65, 0.0, 22632.0640 },
@@ -91,8 +93,8 @@ inline double Density(double pressure, double temperature)
   return pressure / (DRY_AIR_CONSTANT * temperature);
 }
 
-// w = -omega / (rho g) in m/s from omega = dp/dt in Pa/s: hydrostatic, the local change and the advection
-// of pressure along the surface neglected.
+// w = -omega / (rho g) in m/s from omega = dp/dt in Pa/s: hydrostatic, the local change and the
+// advection of pressure along the surface neglected.
 inline double UpwardWindFromOmega(double omega, double pressure, double temperature)
 {
   return -omega / (Density(pressure, temperature) * GRAVITY);

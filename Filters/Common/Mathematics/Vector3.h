@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Vectors in space, with the names of GLSL where a variable may not be called the same. Plain C++17. */
+/**
+ * Vectors in space, with the names of GLSL where a variable may not be called the same. Plain
+ * C++17.
+ */
 #ifndef nephoscope_Vector3_h
 #define nephoscope_Vector3_h
 

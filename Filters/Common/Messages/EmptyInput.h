@@ -21,8 +21,8 @@ namespace nephoscope
 constexpr const char* whyEmpty =
   "The input is empty: it has no points and no cells. Check the filters before it, such as the limits of a Threshold, and the time.";
 
-// Whether a filter runs for one block after the other: the block stands in the place of the producer's output then. ParaView
-// inserts its own filter, which must not be updated meanwhile.
+// Whether a filter runs for one block after the other: the block stands in the place of the
+// producer's output then. ParaView inserts its own filter, which must not be updated meanwhile.
 inline bool IsOfBlocks(vtkAlgorithm* producer, int port)
 {
   const bool hasInput =
@@ -43,7 +43,8 @@ inline vtkAlgorithm* ProducerOfInput(vtkAlgorithm* filter, int port = 0)
   return producer;
 }
 
-// Whether who made the data has told why they are empty: by an error code or, where a filter in Python can set none, by a field array.
+// Whether who made the data has told why they are empty: by an error code or, where a filter in
+// Python can set none, by a field array.
 constexpr const char* failedName = "NephoscopeFailed";
 inline bool HasFailed(vtkAlgorithm* producer, vtkDataObject* data)
 {
@@ -51,8 +52,10 @@ inline bool HasFailed(vtkAlgorithm* producer, vtkDataObject* data)
     (data && data->GetFieldData() && data->GetFieldData()->HasArray(failedName));
 }
 
-// For RequestData: true where there is nothing in the input. A warning says so, once while nothing changes; `told` is kept by the filter, at first 0.
-// Blocks, and pieces of several, may be empty. Where the filter before has failed, it has told why; this one fails with it.
+// For RequestData: true where there is nothing in the input. A warning says so, once while nothing
+// changes; `told` is kept by the filter, at first 0.
+// Blocks, and pieces of several, may be empty. Where the filter before has failed, it has told why;
+// this one fails with it.
 inline bool IsEmptyInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformationVector** inputs,
   vtkInformationVector* outputs)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Messages that would be repeated: by a filter that has failed and is asked again, or by every rank.
+// Messages that would be repeated: by a filter that has failed and is asked again, or by every
+// rank.
 #ifndef nephoscope_MessageSuppression_h
 #define nephoscope_MessageSuppression_h
 
@@ -52,8 +53,8 @@ private:
   vtkNew<vtkCallbackCommand> Silence;
 };
 
-// Suppresses the messages of a filter if its last execution failed, and neither the filter nor those before it have changed since.
-// (The input itself may be made anew, and be the same.)
+// Suppresses the messages of a filter if its last execution failed, and neither the filter nor
+// those before it have changed since. (The input itself may be made anew, and be the same.)
 class ReportOnce
 {
 public:

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// An input of a kind that a filter cannot use. The pipeline reports it at every request, in several lines of its own; this reports it once.
+// An input of a kind that a filter cannot use. The pipeline reports it at every request, in several
+// lines of its own; this reports it once.
 #ifndef nephoscope_RequiredInput_h
 #define nephoscope_RequiredInput_h
 
@@ -51,7 +52,8 @@ inline std::string RemedyFor(vtkDataObject* data, bool withRows = false)
       (withRows ? ", then vtkResampleToImage." : ".");
 }
 
-// For FillInputPortInformation: the pipeline rejects only composite data, because it iterates over their blocks.
+// For FillInputPortInformation: the pipeline rejects only composite data, because it iterates over
+// their blocks.
 inline void TakeAnyData(vtkInformation* port)
 {
   port->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
@@ -62,8 +64,9 @@ inline void TakeAnyData(vtkInformation* port)
   }
 }
 
-// For ProcessRequest: true where the input is of none of these kinds, and the request is done with: the output is empty. `needed`, the sentence with
-// the remedy, is reported once while nothing changes; `told` is kept by the filter, at first 0.
+// For ProcessRequest: true where the input is of none of these kinds, and the request is done with:
+// the output is empty. `needed`, the sentence with the remedy, is reported once while nothing
+// changes; `told` is kept by the filter, at first 0.
 inline bool HasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformation* request,
   vtkInformationVector** inputs, vtkInformationVector* outputs,
   std::initializer_list<const char*> kinds, const char* needed)
@@ -104,7 +107,8 @@ inline bool HasOtherInput(vtkAlgorithm* filter, vtkMTimeType& told, vtkInformati
     const int nothing[6] = { 0, -1, 0, -1, 0, -1 };
     outInfo->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), nothing, 6);
   }
-  // On several ranks the pipeline divides the empty extent, and would ask the filters before this one for parts without end.
+  // On several ranks the pipeline divides the empty extent, and would ask the filters before this
+  // one for parts without end.
   if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
   {
     vtkInformation* inInfo = inputs[0]->GetInformationObject(0);

@@ -19,7 +19,10 @@ void WithThreads(Work&& work, int threads = 0)
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, "STDThread", false), work);
 }
 
-/** Calls body(begin, end) for parts of 0 to count, `grain` at a time (0: as vtkSMPTools likes), by threads of our own. */
+/**
+ * Calls body(begin, end) for parts of 0 to count, `grain` at a time (0: as vtkSMPTools likes), by
+ * threads of our own.
+ */
 template <typename Body>
 void InParallel(vtkIdType count, Body&& body, vtkIdType grain = 0)
 {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A prism divided into three tetrahedra that fit its neighbours: every side is cut from its vertex of smallest rank,
-// which is the same for both adjacent prisms. Ranks are hashed ids: with plain ids, which grow downstream, all
-// sides would be cut the same way and the volume of a sheared tube would be wrong to first order. Plain C++17.
+// A prism divided into three tetrahedra that fit its neighbours: every side is cut from its vertex
+// of smallest rank, which is the same for both adjacent prisms. Ranks are hashed ids: with plain
+// ids, which grow downstream, all sides would be cut the same way and the volume of a sheared tube
+// would be wrong to first order. Plain C++17.
 #ifndef nephoscope_PrismTetrahedra_h
 #define nephoscope_PrismTetrahedra_h
 
@@ -18,7 +19,8 @@ using PrismPoints = std::array<PointId,
   6>; // bottom 0 1 2, counter-clockwise seen from the top; 3 above 0, 4 above 1, 5 above 2
 using TetrahedronPoints = std::array<PointId, 4>;
 
-// Ranks of all ids are different (the finalizer of SplitMix64 is a bijection: SteeleLeaFlood2014) and the same on every machine.
+// Ranks of all ids are different (the finalizer of SplitMix64 is a bijection: SteeleLeaFlood2014)
+// and the same on every machine.
 inline std::uint64_t Rank(PointId id)
 {
   auto x = static_cast<std::uint64_t>(id) + 0x9e3779b97f4a7c15u;

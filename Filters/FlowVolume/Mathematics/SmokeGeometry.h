@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Lengths, areas and volumes of flow volumes. Volumes are taken from differences of positions, so that they
-// keep their digits far from the origin (a globe in metres). Plain C++17.
+// Lengths, areas and volumes of flow volumes. Volumes are taken from differences of positions, so
+// that they keep their digits far from the origin (a globe in metres). Plain C++17.
 #ifndef nephoscope_SmokeGeometry_h
 #define nephoscope_SmokeGeometry_h
 
@@ -32,15 +32,17 @@ inline double VolumeOf(const TetrahedronPoints& tetrahedron, const std::vector<V
   return SignedVolume(corner(0), corner(1), corner(2), corner(3));
 }
 
-// Volume flow out of the side a b c d, taken from the origin, as the mean over both of its diagonals. That mean is the
-// centre of the corners times the vector area of the (skew) quadrilateral, 1/2 (c - a) x (d - b), over 3.
+// Volume flow out of the side a b c d, taken from the origin, as the mean over both of its
+// diagonals. That mean is the centre of the corners times the vector area of the (skew)
+// quadrilateral, 1/2 (c - a) x (d - b), over 3.
 inline double SideVolume(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d)
 {
   return Dot(a + b + c + d, Cross(c - a, d - b)) / 24.0;
 }
 
-// Volume of a prism with bilinear sides, by the divergence theorem; second order in the step where the
-// tetrahedra of one diagonal are first order. Vertices as in PrismPoints, of which some may coincide.
+// Volume of a prism with bilinear sides, by the divergence theorem; second order in the step where
+// the tetrahedra of one diagonal are first order. Vertices as in PrismPoints, of which some may
+// coincide.
 inline double PrismVolume(const Vector3& p0, const Vector3& p1, const Vector3& p2,
   const Vector3& p3, const Vector3& p4, const Vector3& p5)
 {

@@ -23,8 +23,9 @@ struct StepLimits
   double Divergence = 0.5; // times the step
 };
 
-// Collects the worst of all points and triangles. Tangents are not sampled: two chords in a row of steps g and h
-// differ by the turn over (g + h) / 2, and the first chord differs by that over h / 2 from the velocity at its start (g = 0).
+// Collects the worst of all points and triangles. Tangents are not sampled: two chords in a row of
+// steps g and h differ by the turn over (g + h) / 2, and the first chord differs by that over h / 2
+// from the velocity at its start (g = 0).
 // In the same way the densities of two layers differ by the divergence.
 class StepControl
 {

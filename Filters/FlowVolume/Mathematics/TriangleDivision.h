@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A triangle with one, two or three of its edges halved becomes two, three or four triangles. What is left to
-// choose, the diagonal of the quadrilateral beside two halved edges, starts at its vertex of smallest rank: the
-// triangle and the tetrahedron below it, which divide by themselves, agree. Plain C++17.
+// A triangle with one, two or three of its edges halved becomes two, three or four triangles. What
+// is left to choose, the diagonal of the quadrilateral beside two halved edges, starts at its
+// vertex of smallest rank: the triangle and the tetrahedron below it, which divide by themselves,
+// agree. Plain C++17.
 #ifndef nephoscope_TriangleDivision_h
 #define nephoscope_TriangleDivision_h
 
@@ -27,8 +28,8 @@ struct DividedTriangle
   }
 };
 
-// middles[i]: the point that halves the edge from vertex i to vertex i + 1, or noPoint. `ids` are the numbers whose
-// ranks decide, one for each of the three vertices and the three middles.
+// middles[i]: the point that halves the edge from vertex i to vertex i + 1, or noPoint. `ids` are
+// the numbers whose ranks decide, one for each of the three vertices and the three middles.
 inline DividedTriangle DivideTriangle(const TrianglePoints& triangle, const TrianglePoints& middles,
   const std::array<PointId, 3>& vertexIds, const std::array<PointId, 3>& middleIds)
 {

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of a mesh that one of several ranks writes: a run of tetrahedra in the order in which they were made,
-// equally many for every rank but for one. That order goes layer by layer, so a share is a stretch of the volume
-// from one layer to another, and what two shares have in common is one layer of points. Shares of columns of
-// triangles would run side by side through the whole volume: more points in common, and long boxes that overlap
-// when the ranks are sorted for drawing. Plain C++17.
+// The part of a mesh that one of several ranks writes: a run of tetrahedra in the order in which
+// they were made, equally many for every rank but for one. That order goes layer by layer, so a
+// share is a stretch of the volume from one layer to another, and what two shares have in common is
+// one layer of points. Shares of columns of triangles would run side by side through the whole
+// volume: more points in common, and long boxes that overlap when the ranks are sorted for drawing.
+// Plain C++17.
 #ifndef nephoscope_MeshSlice_h
 #define nephoscope_MeshSlice_h
 

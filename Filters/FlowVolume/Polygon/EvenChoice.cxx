@@ -65,8 +65,8 @@ bool MiddleOf(vtkDataSet* set, vtkIdType cell, vtkIdList* corners, double* middl
     std::isfinite(middle[2]);
 }
 
-// Hash of a position, rounded so that rounding errors do not change it, nor points that are stored as float in one kind of data and follow from the
-// spacing in another: 53 bits.
+// Hash of a position, rounded so that rounding errors do not change it, nor points that are stored
+// as float in one kind of data and follow from the spacing in another: 53 bits.
 double HashOf(const double* place, const vtkBoundingBox& box)
 {
   constexpr double cells = 65536.0,

@@ -25,7 +25,8 @@ struct Trace
   vtkBoundingBox Box;
 };
 
-// Velocities at some positions, made unit vectors; speeds, 0 where the position is outside or nothing flows.
+// Velocities at some positions, made unit vectors; speeds, 0 where the position is outside or
+// nothing flows.
 class Directions
 {
 public:
@@ -85,8 +86,8 @@ std::vector<double> FlowReaches(
   }
   const double step = length / stepsOfLength;
   Directions first(field), middle(field);
-  // Steps of equal length along the direction of the flow, by the midpoint rule. Two searches a step, with the hints of all traces mixed: the
-  // hints are only checked.
+  // Steps of equal length along the direction of the flow, by the midpoint rule. Two searches a
+  // step, with the hints of all traces mixed: the hints are only checked.
   for (int k = 0; k < stepsOfLength && !traces.empty(); ++k)
   {
     std::vector<Vector3> positions(traces.size());

@@ -50,7 +50,8 @@ std::vector<Loop> FindLoops(vtkPolyData* data)
   return loops;
 }
 
-// The points of the polygons in the order of their coordinates, each place once, and the loops numbered by them.
+// The points of the polygons in the order of their coordinates, each place once, and the loops
+// numbered by them.
 // False if one is not finite.
 bool SortPoints(vtkPolyData* data, std::vector<Loop>& loops, std::vector<Vector3>& sorted)
 {
@@ -89,7 +90,8 @@ bool SortPoints(vtkPolyData* data, std::vector<Loop>& loops, std::vector<Vector3
   return true;
 }
 
-// Takes repeated points and what is no polygon out; begins each with its first point, and puts them in order.
+// Takes repeated points and what is no polygon out; begins each with its first point, and puts them
+// in order.
 void TidyLoops(std::vector<Loop>& loops)
 {
   for (Loop& loop : loops)
@@ -125,7 +127,8 @@ void OrientConsistently(PolygonMesh& mesh)
   }
 }
 
-// One polygon about its first point, in units of its longest extent, so that no tolerance depends on place and size.
+// One polygon about its first point, in units of its longest extent, so that no tolerance depends
+// on place and size.
 struct FlatPolygon
 {
   std::vector<Vector3> Points;

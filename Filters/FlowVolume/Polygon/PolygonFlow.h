@@ -43,7 +43,8 @@ struct PolygonVelocities
       [this](PointId p) { return this->Inside[static_cast<std::size_t>(p)] != 0; });
   }
 
-  // Volume per second through triangle t, exact where the velocity is linear; 0 where a corner is outside.
+  // Volume per second through triangle t, exact where the velocity is linear; 0 where a corner is
+  // outside.
   double Flux(const PolygonMesh& polygon, std::size_t t) const
   {
     if (!this->IsInside(polygon, t))

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Places at which a generating polygon may be, and what tells whether it fits there. All functions are collective: every rank calls them with the same places.
+// Places at which a generating polygon may be, and what tells whether it fits there. All functions
+// are collective: every rank calls them with the same places.
 #ifndef nephoscope_PolygonPlaces_h
 #define nephoscope_PolygonPlaces_h
 
@@ -60,7 +61,8 @@ private:
 std::vector<double> MeanReaches(
   const DataSetField& field, const std::vector<Candidate>& candidates, double length);
 
-// Sets Room: how far from the border of the data each is, across the flow. Smoke beside a wall sticks to it, or leaves the data.
+// Sets Room: how far from the border of the data each is, across the flow. Smoke beside a wall
+// sticks to it, or leaves the data.
 void FindRoom(const DataSetField& field, double radius, std::vector<Candidate>& candidates);
 }
 

@@ -8,12 +8,13 @@
 
 namespace nephoscope
 {
-// Swaps the diagonals of neighbouring triangles until the angles opposite every inner edge sum to at most half a turn (Delaunay
-// triangulation: Lawson1977), where the new edge is not longer than `longest` (0: any length).
+// Swaps the diagonals of neighbouring triangles until the angles opposite every inner edge sum to
+// at most half a turn (Delaunay triangulation: Lawson1977), where the new edge is not longer than
+// `longest` (0: any length).
 void SwapToDelaunay(PolygonMesh& mesh, double longest);
 
-// Halves longer edges, again and again, so that the triangles stay conforming, and improves their shape. False, and an
-// unfinished mesh, if there would be more triangles than allowed.
+// Halves longer edges, again and again, so that the triangles stay conforming, and improves their
+// shape. False, and an unfinished mesh, if there would be more triangles than allowed.
 bool HalveLongEdges(PolygonMesh& mesh, double longest, std::size_t maximumNumberOfTriangles);
 }
 

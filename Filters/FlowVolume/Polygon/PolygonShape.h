@@ -102,8 +102,8 @@ inline Vector3 Perpendicular(const Vector3& direction)
   return Normalized(Cross(direction, axis));
 }
 
-// Rotates the polygon about a point, by the smallest angle, until its normal is the direction. Nothing happens if the
-// direction or the polygon's normal is zero or not finite.
+// Rotates the polygon about a point, by the smallest angle, until its normal is the direction.
+// Nothing happens if the direction or the polygon's normal is zero or not finite.
 inline void TurnNormalTo(PolygonMesh& mesh, const Vector3& center, const Vector3& direction)
 {
   const Vector3 from = Normal(mesh), to = Normalized(direction);

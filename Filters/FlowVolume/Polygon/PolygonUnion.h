@@ -16,8 +16,8 @@ namespace nephoscope
 // Points and cells without arrays, to be sent; empty for null.
 vtkSmartPointer<vtkPolyData> BarePolygons(vtkPolyData* polygon);
 
-// One of those that are equal, as it is; parts that differ are joined: points at the same place become one,
-// and so do polygons with the same corners, for ghost cells are copies.
+// One of those that are equal, as it is; parts that differ are joined: points at the same place
+// become one, and so do polygons with the same corners, for ghost cells are copies.
 vtkSmartPointer<vtkPolyData> UnitePolygons(
   const std::vector<vtkSmartPointer<vtkDataObject>>& parts);
 }

@@ -78,7 +78,8 @@ std::vector<Candidate> FastPart(const UpstreamPath& path)
   return { begin, begin + std::min<std::ptrdiff_t>(stepsInside + 1, slow - begin) };
 }
 
-// The place from which smoke goes farthest, of those with enough room; of those that are as good the nearest. The first has enough.
+// The place from which smoke goes farthest, of those with enough room; of those that are as good
+// the nearest. The first has enough.
 Candidate FarthestReaching(const DataSetField& field, const PolygonPoints& polygon,
   const std::vector<Candidate>& places, double halfDiagonal, double leastRoom, double& reach)
 {
@@ -107,8 +108,9 @@ double DistanceToBorder(const DataSetField& field, const UpstreamPath& path)
   return inside;
 }
 
-// One, two or four radii inside the border where the path leaves the data: the first with room. Where the border is very askew to the flow, as that of a shell of
-// air in which it goes round, there is none.
+// One, two or four radii inside the border where the path leaves the data: the first with room.
+// Where the border is very askew to the flow, as that of a shell of air in which it goes round,
+// there is none.
 bool FindInflow(
   const DataSetField& field, const UpstreamPath& path, double leastRoom, Candidate& inflow)
 {
@@ -131,7 +133,8 @@ bool FindInflow(
   return false;
 }
 
-// The place with the radii that the polygon may have there, the greatest first: up to four times as wide, with as much room around it as in it.
+// The place with the radii that the polygon may have there, the greatest first: up to four times as
+// wide, with as much room around it as in it.
 std::vector<Candidate> Widths(const DataSetField& field, const Candidate& place)
 {
   std::vector<Candidate> room = { place }, widths = { place };
@@ -144,7 +147,8 @@ std::vector<Candidate> Widths(const DataSetField& field, const Candidate& place)
   return widths;
 }
 
-// Whether the flow at the rim of the polygon is about as fast as in its middle: a jet may be narrower than the room around it.
+// Whether the flow at the rim of the polygon is about as fast as in its middle: a jet may be
+// narrower than the room around it.
 bool IsFastAtRim(const DataSetField& field, const Candidate& place)
 {
   const std::vector<Vector3> rim = Rim(place, place.Radius);

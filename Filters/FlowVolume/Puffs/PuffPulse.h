@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Puffs of smoke: how much smoke there is along a flow volume, as a periodic function of age minus time
- * (MaxCrawfisBecker1993 Sec. 6).
+ * Puffs of smoke: how much smoke there is along a flow volume, as a periodic function of age minus
+ * time (MaxCrawfisBecker1993 Sec. 6).
  *
- * With the phase x = (age - time) / period, taken to [-1/2, 1/2), and the width w, a share of the period,
+ * With the phase x = (age - time) / period, taken to [-1/2, 1/2), and the width w, a share of the
+ * period,
  *   shape(x) = cos^2(pi x / w) for |x| < w / 2, else 0
  *   pulse(x) = scale * (floor + (1 - floor) * shape(x))
- * The shape has a continuous first derivative for every w, and all derivatives are continuous for w = 1. The mean over a
- * period is that of the shape, w / 2, as floor + (1 - floor) w / 2, times the scale. The crest is where age = time + n
- * period: it ages one second per second, which is to say that it moves with the smoke.
+ * The shape has a continuous first derivative for every w, and all derivatives are continuous for w
+ * = 1. The mean over a period is that of the shape, w / 2, as floor + (1 - floor) w / 2, times the
+ * scale. The crest is where age = time + n period: it ages one second per second, which is to say
+ * that it moves with the smoke.
  */
 #ifndef nephoscope_PuffPulse_h
 #define nephoscope_PuffPulse_h
@@ -28,7 +30,8 @@ struct PuffPulse
   // In [-1/2, 1/2); 0 at the crest of a puff.
   double Phase(double age, double time) const
   {
-    // The time is reduced first: a time of centuries would leave few digits of its difference to an age.
+    // The time is reduced first: a time of centuries would leave few digits of its difference to an
+    // age.
     const double periods = (age - std::remainder(time, this->Period)) / this->Period;
     const double phase = periods - std::floor(periods + 0.5);
     return phase < 0.5 ? phase : -0.5;

@@ -40,7 +40,8 @@ public:
       [this](PointId p) { return this->Inside[static_cast<std::size_t>(p)] != 0; });
   }
 
-  // The flux through the triangle: with sign, and how much of it goes the other way at some corners.
+  // The flux through the triangle: with sign, and how much of it goes the other way at some
+  // corners.
   void Cross(const SmokeFront& front, const FrontTriangle& t, double& sum, double& against) const
   {
     const Vector3 area = AreaVector(front.Corner(t, 0), front.Corner(t, 1), front.Corner(t, 2));

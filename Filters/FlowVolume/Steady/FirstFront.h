@@ -8,8 +8,9 @@
 
 namespace nephoscope
 {
-// The polygon with its points in the order of their coordinates and its triangles in that of their points, so that the
-// order in which they come makes no difference. Triangles without area or with points that do not exist are left out.
+// The polygon with its points in the order of their coordinates and its triangles in that of their
+// points, so that the order in which they come makes no difference. Triangles without area or with
+// points that do not exist are left out.
 SmokeFront MakeFirstFront(const PolygonMesh& polygon);
 
 struct Emission
@@ -21,9 +22,10 @@ struct Emission
   bool LimitReached = false; // more triangles than allowed: none are left
 };
 
-// Samples the flow at the polygon; divides, as `limits` say, and drops triangles that are partly outside the field, or which the flow
-// crosses both ways: their prisms would cross themselves. Turns the others to the flow and gives each the mass that crosses it
-// per second: its area times the mean of the flow at its corners, which is exact for a linear flow.
+// Samples the flow at the polygon; divides, as `limits` say, and drops triangles that are partly
+// outside the field, or which the flow crosses both ways: their prisms would cross themselves.
+// Turns the others to the flow and gives each the mass that crosses it per second: its area times
+// the mean of the flow at its corners, which is exact for a linear flow.
 Emission EmitFrom(SmokeFront& front, const VelocityField& field, double time,
   const EdgeLimits& limits, std::size_t maximumNumberOfTriangles);
 }

@@ -93,8 +93,8 @@ private:
       [this](std::size_t t) { return this->Between.Patches[t] >= 0; });
   }
 
-  // A point at rest is part of older layers too. The ends' common neighbours must be the tips of the triangles beside
-  // the edge, or two sheets would be glued together.
+  // A point at rest is part of older layers too. The ends' common neighbours must be the tips of
+  // the triangles beside the edge, or two sheets would be glued together.
   bool IsSimple(std::size_t edge, PointId a, PointId b)
   {
     if (this->IsAtRest(a) || this->IsAtRest(b) || this->Above.Edges.Uses[edge] > 2)
@@ -272,8 +272,8 @@ std::vector<std::size_t> ShortEdges(const SmokeFront& front, double shortest)
   return edges;
 }
 
-// Volume that crosses a triangle, for a step: the triangle's share of the patch's mass. Never nothing at all, so that
-// the mass stays whatever happens.
+// Volume that crosses a triangle, for a step: the triangle's share of the patch's mass. Never
+// nothing at all, so that the mass stays whatever happens.
 double Flux(const SmokeFront& front, const std::vector<Vector3>& chords, const TrianglePoints& t)
 {
   const auto& p = front.Positions;

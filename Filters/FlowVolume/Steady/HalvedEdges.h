@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Tetrahedra divided at the halved edges of the triangle they share with a front, so that no point hangs. Plain C++17.
+// Tetrahedra divided at the halved edges of the triangle they share with a front, so that no point
+// hangs. Plain C++17.
 #ifndef nephoscope_HalvedEdges_h
 #define nephoscope_HalvedEdges_h
 
@@ -35,8 +36,9 @@ public:
     }
   }
 
-  // The tetrahedron as pieces beside its face with the most halved edges: one piece if it has none. All of its halved edges are
-  // in that face, unless more than three of its points are on the front; then the pieces can be divided again.
+  // The tetrahedron as pieces beside its face with the most halved edges: one piece if it has none.
+  // All of its halved edges are in that face, unless more than three of its points are on the
+  // front; then the pieces can be divided again.
   const std::vector<TetrahedronPoints>& Divide(const TetrahedronPoints& t)
   {
     static constexpr std::size_t faces[4][4] = { { 0, 1, 2, 3 }, { 0, 3, 1, 2 }, { 0, 2, 3, 1 },

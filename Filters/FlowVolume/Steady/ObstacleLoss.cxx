@@ -33,8 +33,8 @@ struct Samples
   }
 };
 
-// The way of a step from the corners, the mean of those that have a velocity. A small part of a triangle that spans an obstacle has none:
-// the triangle faces downstream.
+// The way of a step from the corners, the mean of those that have a velocity. A small part of a
+// triangle that spans an obstacle has none: the triangle faces downstream.
 std::vector<Vector3> WaysOf(
   const VelocityField& field, double time, const std::vector<EndedSmoke>& ended)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Which of the smoke that has ended met an obstacle inside the data, and which has left them. Plain C++17.
+// Which of the smoke that has ended met an obstacle inside the data, and which has left them. Plain
+// C++17.
 #ifndef nephoscope_ObstacleLoss_h
 #define nephoscope_ObstacleLoss_h
 
@@ -21,8 +22,9 @@ struct EndedSmoke
   double Mass = 0.0;               // that it would still have carried
 };
 
-// The mass of the smoke that ended at obstacles. Straight ahead of it, farther than the step could lead, there are data again, within
-// the length `farthest`; ahead of smoke that has left the data through their outer boundary there are none.
+// The mass of the smoke that ended at obstacles. Straight ahead of it, farther than the step could
+// lead, there are data again, within the length `farthest`; ahead of smoke that has left the data
+// through their outer boundary there are none.
 double MassAtObstacles(
   const VelocityField& field, double time, double farthest, const std::vector<EndedSmoke>& ended);
 }

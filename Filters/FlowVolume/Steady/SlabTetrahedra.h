@@ -39,8 +39,9 @@ SlabSums AppendSlab(const Slab& slab, std::vector<FrontTriangle>& above, SmokeMe
 // The smallest volume, with sign, of the tetrahedra above a triangle.
 double SmallestTetrahedron(const Slab& slab, const TrianglePoints& triangle);
 
-// Halves the tetrahedra from `first` on that contain edge `halved[i]`, at point `firstMiddle + i`; their triangles on the front
-// divide as the front itself does. Their volume and what else belongs to them stay.
+// Halves the tetrahedra from `first` on that contain edge `halved[i]`, at point `firstMiddle + i`;
+// their triangles on the front divide as the front itself does. Their volume and what else belongs
+// to them stay.
 void HalveTetrahedra(const std::vector<std::array<PointId, 2>>& halved, PointId firstMiddle,
   std::size_t first, SmokeMesh& mesh);
 }

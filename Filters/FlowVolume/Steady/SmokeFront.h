@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The front of the smoke: the polygon, carried by the flow to a certain age, as triangles. Plain C++17.
+// The front of the smoke: the polygon, carried by the flow to a certain age, as triangles. Plain
+// C++17.
 #ifndef nephoscope_SmokeFront_h
 #define nephoscope_SmokeFront_h
 
@@ -37,8 +38,9 @@ struct SmokeFront
     return this->Positions[static_cast<std::size_t>(triangle.Points[i])];
   }
 
-  // Halves the marked edges (one mark for each edge) and divides the triangles beside them. Each new point lies on its
-  // straight edge, so no gap opens, and gets the ids from `firstId` on. Returns the new points' edges, by mesh ids.
+  // Halves the marked edges (one mark for each edge) and divides the triangles beside them. Each
+  // new point lies on its straight edge, so no gap opens, and gets the ids from `firstId` on.
+  // Returns the new points' edges, by mesh ids.
   std::vector<std::array<PointId, 2>> HalveEdges(
     const std::vector<unsigned char>& marks, PointId firstId);
 

@@ -65,12 +65,13 @@ struct SmokeMesh
 // Forgets the points that no tetrahedron uses; the others keep their order.
 void CompactPoints(SmokeMesh& mesh);
 
-// Scales the densities of each emission step so that the sum of density times volume over its tetrahedra is
-// Report.MassPerStep.
+// Scales the densities of each emission step so that the sum of density times volume over its
+// tetrahedra is Report.MassPerStep.
 void ScaleDensities(SmokeMesh& mesh);
 
-// A density that is continuous: that of the smoke in all tetrahedra at a point. Interpolated linearly in the tetrahedra, it has the mass of the
-// densities of the tetrahedra, but for the smoke at Ends, where it fades to 0: triangles end at whole steps, which would show as edges.
+// A density that is continuous: that of the smoke in all tetrahedra at a point. Interpolated
+// linearly in the tetrahedra, it has the mass of the densities of the tetrahedra, but for the smoke
+// at Ends, where it fades to 0: triangles end at whole steps, which would show as edges.
 void AverageDensities(SmokeMesh& mesh);
 
 struct FlowVolumeSettings
@@ -79,14 +80,16 @@ struct FlowVolumeSettings
   double TimeStep = 0.1; // s between layers
   // Longer edges of a layer are halved, down to 1/64 of this; 0: any length.
   double MaximumEdgeLength = 0.0;
-  // Shorter edges of a layer are merged; 0: never. More than a third of MaximumEdgeLength counts as a third.
+  // Shorter edges of a layer are merged; 0: never. More than a third of MaximumEdgeLength counts as
+  // a third.
   double MinimumEdgeLength = 0.0;
   // Radians that a path turns in a step; 15 degrees. 0: any.
   double MaximumTurnAngle = 0.2617993877991494;
   // A step is halved at most so often: into 16 parts.
   int MaximumHalvings = 4;
-  // Triangles that meet an obstacle or a boundary are divided until their edges are shorter than MaximumEdgeLength (without
-  // one: the longest edge of the polygon) over 2 to this power. 0: never.
+  // Triangles that meet an obstacle or a boundary are divided until their edges are shorter than
+  // MaximumEdgeLength (without one: the longest edge of the polygon) over 2 to this power. 0:
+  // never.
   int ObstacleLevels = 2;
   // Smoke that ends has met an obstacle if there are data again within this length ahead of it.
   double FarthestObstacle = 0.0;

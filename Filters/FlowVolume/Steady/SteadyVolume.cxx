@@ -265,8 +265,8 @@ private:
     {
       const Vector3 chord = above.Positions[i] - this->Front.Positions[i];
       const double length = Norm(chord);
-      // A point that does not move stays the same point: two in one place would leave flat tetrahedra, and a crack
-      // where they are left out.
+      // A point that does not move stays the same point: two in one place would leave flat
+      // tetrahedra, and a crack where they are left out.
       if (length > this->Rest)
       {
         above.Ids[i] = next++;

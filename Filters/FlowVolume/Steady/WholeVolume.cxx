@@ -19,7 +19,8 @@ constexpr std::size_t fewTriangles = 16;     // a polygon of so many is coarse e
 constexpr double fewSteps = 128.0; // more of them are lengthened before the polygon is coarsened
 constexpr double leastKept = 0.9;  // of the smoke of the last try, by a coarser one
 
-// Twice the distance of the farthest point from the first one: longer edges than that there cannot be.
+// Twice the distance of the farthest point from the first one: longer edges than that there cannot
+// be.
 double DiameterOf(const PolygonMesh& polygon)
 {
   double farthest = 0.0;
@@ -123,8 +124,8 @@ private:
   int Tries = 0;
 };
 
-// Whether a coarser volume has less smoke of the time that the finer one has followed: its long triangles cut corners that the finer
-// ones follow, and end at the border of the data.
+// Whether a coarser volume has less smoke of the time that the finer one has followed: its long
+// triangles cut corners that the finer ones follow, and end at the border of the data.
 bool LosesSmoke(const WholeVolume& coarser, const WholeVolume& finer)
 {
   const SmokeReport &few = coarser.Mesh.Report, &many = finer.Mesh.Report;

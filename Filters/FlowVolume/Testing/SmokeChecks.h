@@ -222,8 +222,9 @@ inline std::vector<std::array<PointId, 3>> BoundaryFaces(const SmokeMesh& mesh)
   return boundary;
 }
 
-// No cracks: the boundary is closed (every directed edge has its opposite). No point of the mesh lies inside an edge
-// of the boundary (a hanging point), no tetrahedron has a volume of zero or less, all points are used.
+// No cracks: the boundary is closed (every directed edge has its opposite). No point of the mesh
+// lies inside an edge of the boundary (a hanging point), no tetrahedron has a volume of zero or
+// less, all points are used.
 inline std::size_t ExpectConforming(const SmokeMesh& mesh)
 {
   std::set<PointId> used;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The generating polygon: area kept, conforming, well shaped, of the wanted size, and refused with a reason.
+// The generating polygon: area kept, conforming, well shaped, of the wanted size, and refused with
+// a reason.
 #include "GeneratingPolygon.h"
 #include "TestRandom.h"
 #include "TriangleEdges.h"

@@ -17,7 +17,8 @@ namespace
 const std::array<Vector3, 6> corners = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
   { { 0, 0, 1 } }, { { 1, 0, 1 } }, { { 0, 1, 1 } } } };
 
-// The sum over N layers of the volume of bilinear prisms, of an exact flow map; triangle (.3, .3), (.5, .3), (.3, .5).
+// The sum over N layers of the volume of bilinear prisms, of an exact flow map; triangle (.3, .3),
+// (.5, .3), (.3, .5).
 double SumOfPrisms(int layers, const std::function<Vector3(double, double, double)>& map)
 {
   double sum = 0.0;

@@ -62,7 +62,8 @@ TEST(PuffPulse, IsPeriodicInAgeAndTime)
   }
 }
 
-// Smoke that ages as time passes keeps its pulse: crests move with the flow, not against it or at another speed.
+// Smoke that ages as time passes keeps its pulse: crests move with the flow, not against it or at
+// another speed.
 TEST(PuffPulse, MovesWithTheSmoke)
 {
   for (const PuffPulse& pulse : Pulses())
@@ -74,7 +75,8 @@ TEST(PuffPulse, MovesWithTheSmoke)
   }
 }
 
-// Midpoints of equal intervals integrate smooth periodic functions; the C1 shape leaves an error of second order at least.
+// Midpoints of equal intervals integrate smooth periodic functions; the C1 shape leaves an error of
+// second order at least.
 TEST(PuffPulse, HasTheMeanStated)
 {
   for (const PuffPulse& pulse : Pulses())
@@ -105,8 +107,9 @@ TEST(PuffPulse, StaysBetweenFloorAndCrest)
   }
 }
 
-// The derivative is continuous: over a step h it changes by no more than h times the largest second derivative,
-// scale (1 - floor) 2 pi^2 / (width period)^2; everywhere, so also at the ends of a puff and where the period closes.
+// The derivative is continuous: over a step h it changes by no more than h times the largest second
+// derivative, scale (1 - floor) 2 pi^2 / (width period)^2; everywhere, so also at the ends of a
+// puff and where the period closes.
 TEST(PuffPulse, IsSmooth)
 {
   for (const PuffPulse& pulse : Pulses())
@@ -122,7 +125,8 @@ TEST(PuffPulse, IsSmooth)
   }
 }
 
-// Seconds since 1970, or since the year 1: still the same pulse, to the digits that such a time has.
+// Seconds since 1970, or since the year 1: still the same pulse, to the digits that such a time
+// has.
 TEST(PuffPulse, KeepsItsDigitsAtLateTimes)
 {
   PuffPulse pulse;

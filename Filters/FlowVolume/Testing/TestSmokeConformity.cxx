@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// No cracks, no hanging points, no tetrahedra inside out and true mass, whatever happens to the front.
+// No cracks, no hanging points, no tetrahedra inside out and true mass, whatever happens to the
+// front.
 #include "SmokeChecks.h"
 
 #include <limits>
@@ -126,7 +127,8 @@ TEST(SmokeConformity, MergingKeepsTheDensityOfUniformSmoke)
 
 TEST(SmokeConformity, PartsAtAnObstacle)
 {
-  // The flow ends at the front half of the ball: it lacks the half ball and the cylinder from its middle on.
+  // The flow ends at the front half of the ball: it lacks the half ball and the cylinder from its
+  // middle on.
   const double lost = 2.0 / 3.0 * pi * 0.008 + pi * 0.04;
   double errors[3];
   for (int i = 0; i < 3; ++i)
@@ -143,7 +145,8 @@ TEST(SmokeConformity, PartsAtAnObstacle)
     }
     errors[i] = mesh.Report.LostMass - lost;
   }
-  // Whole prisms end: too much is lost, by half a triangle along the outline, which is sixteen times smaller at level 4.
+  // Whole prisms end: too much is lost, by half a triangle along the outline, which is sixteen
+  // times smaller at level 4.
   EXPECT_GT(errors[2], 0.0);
   EXPECT_LT(errors[2], 0.1 * lost);
   EXPECT_LT(errors[2], 0.5 * errors[1]);
@@ -151,7 +154,8 @@ TEST(SmokeConformity, PartsAtAnObstacle)
 
 TEST(SmokeConformity, TellsObstaclesFromTheEdgeOfTheData)
 {
-  // A ball in front of the edge: what its disc stops is lost at the obstacle, and the rest at the edge.
+  // A ball in front of the edge: what its disc stops is lost at the obstacle, and the rest at the
+  // edge.
   const FormulaField field([](const Vector3& p, Vector3& v) {
     v = { { 0, 0, 1 } };
     return p[0] * p[0] + p[1] * p[1] + (p[2] - 1.0) * (p[2] - 1.0) > 0.04 && p[2] < 2.0;

@@ -48,8 +48,8 @@ TEST(SteadyVolume, TheLastStepIsShorterIfTheDurationAsksForIt)
 
 TEST(SteadyVolume, VolumeOfDivergenceFreeFlowsConverges)
 {
-  // The sides are cut at random, so the error falls only about as the step squared; with plain ids, cut all the same way,
-  // the saddle's would be +.022 and +.0055 at 16 and 64 steps (n = 1).
+  // The sides are cut at random, so the error falls only about as the step squared; with plain ids,
+  // cut all the same way, the saddle's would be +.022 and +.0055 at 16 and 64 steps (n = 1).
   EXPECT_LT(std::abs(Error(Saddle(), 1, 16)), 0.01);
   EXPECT_LT(std::abs(Error(Saddle(), 4, 16)), 1.5e-3);
   EXPECT_LT(std::abs(Error(Saddle(), 4, 64)), 2e-4);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Moving smoke: points that move with the flow, and tetrahedra between them that keep their mass. Plain C++17.
+// Moving smoke: points that move with the flow, and tetrahedra between them that keep their mass.
+// Plain C++17.
 #ifndef nephoscope_StreakMesh_h
 #define nephoscope_StreakMesh_h
 
@@ -57,7 +58,8 @@ struct StreakMesh
     this->EmissionSteps.resize(kept);
   }
 
-  // Drops the points that no tetrahedron uses, except `count` from `first` on, which stay together. Returns the new `first`.
+  // Drops the points that no tetrahedron uses, except `count` from `first` on, which stay together.
+  // Returns the new `first`.
   PointId DropUnusedPoints(PointId first, std::size_t count);
 };
 }

@@ -31,7 +31,8 @@ struct DividedPrism
   }
 };
 
-// Leaves out the tetrahedra that the flow has made flat, which have no density, and returns their mass.
+// Leaves out the tetrahedra that the flow has made flat, which have no density, and returns their
+// mass.
 double DropFlatTetrahedra(StreakMesh& smoke)
 {
   double lost = 0.0;
@@ -176,8 +177,8 @@ PointId StreakVolume::AddLayer(StreakMesh& smoke) const
   return first;
 }
 
-// The last layer is downstream of the polygon, where the newer one is. Returns the mass for which there is no prism, since a
-// corner has left the data.
+// The last layer is downstream of the polygon, where the newer one is. Returns the mass for which
+// there is no prism, since a corner has left the data.
 double StreakVolume::JoinLayers(StreakMesh& smoke, PointId newer) const
 {
   double lost = 0.0;
@@ -232,7 +233,8 @@ void StreakVolume::BisectTetrahedra()
   this->Coarser = !BisectLongEdges(this->Smoke, limits) || this->Coarser;
 }
 
-// Every release may have as many tetrahedra as the others, and what the early ones do not need is left to the later ones.
+// Every release may have as many tetrahedra as the others, and what the early ones do not need is
+// left to the later ones.
 std::size_t StreakVolume::Allowed() const
 {
   const std::size_t all = this->Settings.MaximumNumberOfTetrahedra;

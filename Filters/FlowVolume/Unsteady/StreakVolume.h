@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The volume of the smoke that has been released from a polygon since a time, in a flow that changes. Plain C++17 but for the
-// threads of AdvanceParticles.
+// The volume of the smoke that has been released from a polygon since a time, in a flow that
+// changes. Plain C++17 but for the threads of AdvanceParticles.
 //
-// Layer k is the polygon released at time StartTime + k TimeStep and moved to the present by the flow (formulas of
-// MaxCrawfisBecker1993 Sec. 6 hold layer by layer). When a layer is released, it is joined to the one before by prisms,
-// each of three tetrahedra, whose mass is what has flown through its triangle in the meantime; then tetrahedra with long edges
-// are bisected.
+// Layer k is the polygon released at time StartTime + k TimeStep and moved to the present by the
+// flow (formulas of MaxCrawfisBecker1993 Sec. 6 hold layer by layer). When a layer is released, it
+// is joined to the one before by prisms, each of three tetrahedra, whose mass is what has flown
+// through its triangle in the meantime; then tetrahedra with long edges are bisected.
 //
-// The points are moved in steps that end at the release times and where AdvanceTo is told to stop. Volumes with the same
-// stops are identical to the last bit.
+// The points are moved in steps that end at the release times and where AdvanceTo is told to stop.
+// Volumes with the same stops are identical to the last bit.
 #ifndef nephoscope_StreakVolume_h
 #define nephoscope_StreakVolume_h
 
@@ -29,8 +29,8 @@ struct StreakSettings
   bool Adaptive = false;
   double Tolerance = 1e-6; // of the adaptive method, a length
   std::size_t MaximumNumberOfTetrahedra = 1000000;
-  int Releases =
-    0; // that will be in the volume together; their share of the tetrahedra is kept for them. 0: unknown
+  int Releases = 0; // that will be in the volume together; their share of the tetrahedra is kept
+                    // for them. 0: unknown
 };
 
 class StreakVolume
@@ -42,8 +42,8 @@ public:
   bool IsAt(double time) const { return std::abs(time - this->Now) <= this->Rounding(); }
   bool IsAfter(double time) const { return this->Now > time + this->Rounding(); }
 
-  // Moves the smoke to `time`, which has not passed. False if `progress`, called with a time, requests a stop; the
-  // volume is then unusable.
+  // Moves the smoke to `time`, which has not passed. False if `progress`, called with a time,
+  // requests a stop; the volume is then unusable.
   bool AdvanceTo(const VelocityField& field, double time, const ProgressFunction& progress);
 
   // As AdvanceTo, to the last time of release that is not after `time`.

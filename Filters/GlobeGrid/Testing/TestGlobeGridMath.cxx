@@ -29,7 +29,8 @@ std::vector<double> Row(double first, double spacing, int count)
 }
 }
 
-// StandardAtmosphere1976, table I (geopotential altitude): m, K, Pa, and half a unit of the last digit printed.
+// StandardAtmosphere1976, table I (geopotential altitude): m, K, Pa, and half a unit of the last
+// digit printed.
 TEST(StandardAtmosphere, MatchesThePublishedTable)
 {
   const double table[][4] = { { 0.0, 288.150, 101325.0, 0.5 }, { 5000.0, 255.650, 54020.0, 0.5 },
@@ -92,7 +93,8 @@ TEST(Geodesy, SeamAndPolesAreExact)
   EXPECT_EQ(BasisAt(-180.0, 20.0).up, BasisAt(180.0, 20.0).up);
 }
 
-// The displayed position of a parcel a short time before and after, by its longitude, latitude, height.
+// The displayed position of a parcel a short time before and after, by its longitude, latitude,
+// height.
 TEST(Geodesy, DisplayVelocityIsTheRateOfTheDisplayPosition)
 {
   const geodesy::Planet planet = { 6371000.0, 40.0 };

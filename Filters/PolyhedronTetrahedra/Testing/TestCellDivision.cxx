@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The parts of the division: triangles of faces, the middle of the kernel, the weights of new points.
+// The parts of the division: triangles of faces, the middle of the kernel, the weights of new
+// points.
 #include "FaceTriangulation.h"
 #include "KernelPoint.h"
 #include "MeanValueWeights.h"
@@ -214,7 +215,8 @@ TEST(FaceTriangulation, RefusesFacesThatCrossThemselvesOrHaveNoArea)
 
 TEST(KernelPoint, FindsTheLargestBall)
 {
-  // Cube: 1/2. The L's kernel is the cube at its corner. A tetrahedron's inscribed ball: r = 3 V / A.
+  // Cube: 1/2. The L's kernel is the cube at its corner. A tetrahedron's inscribed ball: r = 3 V /
+  // A.
   for (const auto& polygon : { squarePolygon, lPolygon })
   {
     const Ball ball = KernelPoint::Find(HalfSpacesOf(MakePrism(polygon)));
@@ -232,7 +234,8 @@ TEST(KernelPoint, FindsTheLargestBall)
 
 TEST(KernelPoint, SmallKernelsAreFoundAndEmptyOnesKnown)
 {
-  // A block with a notch from above down to a height of `gap`: the kernel is a prism over a triangle of that height.
+  // A block with a notch from above down to a height of `gap`: the kernel is a prism over a
+  // triangle of that height.
   for (const double gap : { 0.3, 1e-1, 1e-2, 1e-3, 1e-4 })
   {
     const Polygon notch = { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, gap } },
@@ -276,7 +279,8 @@ TEST(MeanValueWeights, AreExactForLinearFieldsAndNeverNegative)
   Random random(5);
   for (int trial = 0; trial < 100; ++trial)
   {
-    // A star-shaped double cone of n sides; the second new point lies in one of the tetrahedra at the first.
+    // A star-shaped double cone of n sides; the second new point lies in one of the tetrahedra at
+    // the first.
     const int n = 3 + trial % 6;
     std::vector<Vector3> x;
     for (int k = 0; k < n; ++k)

@@ -150,7 +150,8 @@ TEST(PolyhedronConvexity, DoesNotDependOnScaleOrPlace)
 
 TEST(PolyhedronConvexity, ForgivesTheRoundingOfFloats)
 {
-  // A regular prism of twelve sides, each cut in two: vertices that should lie in one plane, far from the origin.
+  // A regular prism of twelve sides, each cut in two: vertices that should lie in one plane, far
+  // from the origin.
   Polygon polygon;
   for (int k = 0; k < 24; ++k)
   {
@@ -172,7 +173,8 @@ TEST(PolyhedronConvexity, ForgivesTheRoundingOfFloats)
 
 TEST(PolyhedronConvexity, ForgivesWarpButNoFold)
 {
-  // The top of a cube with one corner lifted or lowered: whichever diagonal is taken, one of the two is not convex.
+  // The top of a cube with one corner lifted or lowered: whichever diagonal is taken, one of the
+  // two is not convex.
   for (const double lift : { -0.2, -0.05, 0.05, 0.2 })
   {
     for (const int corner : { 4, 5, 6, 7 })
@@ -190,7 +192,8 @@ TEST(PolyhedronConvexity, ForgivesWarpButNoFold)
 
 TEST(PolyhedronConvexity, AConeThatIsInvertedIsFoundWhateverTheWarp)
 {
-  // The volume of the tetrahedra that would be drawn is the volume of the cell exactly when ConeFillsCell says so.
+  // The volume of the tetrahedra that would be drawn is the volume of the cell exactly when
+  // ConeFillsCell says so.
   Random random(4);
   int filled = 0;
   for (int trial = 0; trial < 2000; ++trial)

@@ -32,7 +32,8 @@ const char* const depthName = "SunDepth";
 constexpr float unknown = -1;
 constexpr float darkest = 1e-9f;
 
-// Depths are interpolated, not fractions: through even clouds, or along a side of them, the depth is linear.
+// Depths are interpolated, not fractions: through even clouds, or along a side of them, the depth
+// is linear.
 float DepthOf(vtkDataArray* fraction, vtkIdType i)
 {
   return -std::log(std::max(static_cast<float>(fraction->GetComponent(i, 0)), darkest));
@@ -121,7 +122,9 @@ public:
     this->Faces = EntryFaces(this->Points, trianglesOf(boundary));
   }
 
-  /** The fraction and the irradiance where the ray from this place enters; 1 and unknown: nowhere. */
+  /**
+   * The fraction and the irradiance where the ray from this place enters; 1 and unknown: nowhere.
+   */
   std::array<double, 2> LightAt(const SunPoint& place) const
   {
     SunRay ray(place, 0, 0);

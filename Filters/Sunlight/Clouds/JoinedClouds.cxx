@@ -95,7 +95,8 @@ bool IsInSinglePrecision(vtkDataSet* data)
     (grid && grid->GetXCoordinates()->GetDataType() == VTK_FLOAT);
 }
 
-// Points with their optics, and cells. A cell is its type, its division (ChessboardDivision.h), a count, and as many numbers: its points, or the stream of its faces.
+// Points with their optics, and cells. A cell is its type, its division (ChessboardDivision.h), a
+// count, and as many numbers: its points, or the stream of its faces.
 struct Pieces
 {
   vtkNew<vtkDoubleArray> Places;

@@ -48,7 +48,10 @@ struct JoinedClouds
   vtkSmartPointer<vtkUnstructuredGrid> Mesh; ///< of all parts; coincident points are one
   OpticalFields Optics;                      ///< on its points, means of coincident ones
 
-  /** Makes the mesh, without ghost cells that another part or rank has. If `ranks` is not null, all of them must call it, and each gets the mesh of all. */
+  /**
+   * Makes the mesh, without ghost cells that another part or rank has. If `ranks` is not null, all
+   * of them must call it, and each gets the mesh of all.
+   */
   void Join(vtkMultiProcessController* ranks);
 };
 }

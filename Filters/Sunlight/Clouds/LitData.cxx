@@ -105,7 +105,8 @@ private:
     }
   }
 
-  // The points of a pole are in one place; each is that of a wedge, whose mean width is a quarter of that of the next row.
+  // The points of a pole are in one place; each is that of a wedge, whose mean width is a quarter
+  // of that of the next row.
   void WidenPole(const std::array<int, 3>& at)
   {
     const std::size_t p = this->NumberOf(at);
@@ -359,7 +360,8 @@ vtkSmartPointer<vtkImageData> SampleFrame::MakeImage(
     least[0] = -vtkMath::Pi();
     size[0] = 2 * vtkMath::Pi();
   }
-  // As many levels as a cube would have, or more; around a globe half as many. The rest beside one another.
+  // As many levels as a cube would have, or more; around a globe half as many. The rest beside one
+  // another.
   const double levels = std::max(std::cbrt(points) * (this->IsOnGlobe() ? 0.5 : 1.0), 2.0);
   const double step = std::sqrt(size[0] * size[1] * levels / points);
   int dimensions[3];

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A structured grid whose clouds repeat beyond its sides, as in models with periodic boundaries: one copy of it, closed by the first points of the
- * next one. If the values on opposite sides are equal, these sides are the same points. Otherwise the next copy begins one grid spacing beyond the last points.
+ * A structured grid whose clouds repeat beyond its sides, as in models with periodic boundaries:
+ * one copy of it, closed by the first points of the next one. If the values on opposite sides are
+ * equal, these sides are the same points. Otherwise the next copy begins one grid spacing beyond
+ * the last points.
  */
 #ifndef nephoscope_RepeatedGrid_h
 #define nephoscope_RepeatedGrid_h
@@ -25,7 +27,10 @@ namespace nephoscope
 class RepeatedGrid
 {
 public:
-  /** Opposite sides are the same points if `sidesMeet`, or if `values` are equal on them. The third index of the new grid counts upwards. */
+  /**
+   * Opposite sides are the same points if `sidesMeet`, or if `values` are equal on them. The third
+   * index of the new grid counts upwards.
+   */
   RepeatedGrid(vtkDataSet* data, const Planet& planet, const std::vector<Place>& places,
     const std::vector<float>& values, bool sidesMeet);
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The optics of smoke, as vtkFlowVolume and vtkSmokePuffs write it, where nobody has given it any. */
+/**
+ * The optics of smoke, as vtkFlowVolume and vtkSmokePuffs write it, where nobody has given it any.
+ */
 #ifndef nephoscope_SmokeOptics_h
 #define nephoscope_SmokeOptics_h
 
@@ -10,13 +12,17 @@ class vtkDataSet;
 
 namespace nephoscope
 {
-/** The array that tells lit smoke from smoke that was made in lit clouds, whose arrays it carries. */
+/**
+ * The array that tells lit smoke from smoke that was made in lit clouds, whose arrays it carries.
+ */
 constexpr const char* smokeExtinctionName = "SmokeExtinction";
 
 /**
- * Adds an extinction in proportion to the visible density of smoke, such that a path as long as the generating polygon is wide, through smoke of the
- * mean density, has an optical depth of 1; and the albedo and asymmetry of fresh smoke of vegetation fires in green light (ReidEtAl2005), unless their
- * names are empty. Arrays of these names are replaced: they are those of the clouds that the smoke was made in. False if the data are no smoke.
+ * Adds an extinction in proportion to the visible density of smoke, such that a path as long as the
+ * generating polygon is wide, through smoke of the mean density, has an optical depth of 1; and the
+ * albedo and asymmetry of fresh smoke of vegetation fires in green light (ReidEtAl2005), unless
+ * their names are empty. Arrays of these names are replaced: they are those of the clouds that the
+ * smoke was made in. False if the data are no smoke.
  */
 bool AddSmokeOptics(
   vtkDataSet* data, const std::string& albedoName, const std::string& asymmetryName);

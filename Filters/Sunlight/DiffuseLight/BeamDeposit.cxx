@@ -80,7 +80,8 @@ public:
   }
 
 private:
-  // What enters through the faces and does not leave; where the edge of a shadow makes that too much, what the volume can take.
+  // What enters through the faces and does not leave; where the edge of a shadow makes that too
+  // much, what the volume can take.
   double InOctant(const std::array<int, 3>& sides, double& net, double& depth) const
   {
     double volume = 1, mean = this->Beam, extinction = 0;
@@ -126,7 +127,8 @@ struct RowSums
 };
 }
 
-// Edges of shadows are counted twice where they cross thick cells: the whole is made what the clouds take.
+// Edges of shadows are counted twice where they cross thick cells: the whole is made what the
+// clouds take.
 BeamDeposit FindBeamDeposit(const LightGrid& grid, const Parallel& parallel)
 {
   BeamDeposit deposit;

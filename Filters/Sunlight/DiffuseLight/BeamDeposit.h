@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The light that the sun's beam loses in the layers between points above one another: the difference of what enters and leaves, not a sample of it. Plain
- * C++17.
+ * The light that the sun's beam loses in the layers between points above one another: the
+ * difference of what enters and leaves, not a sample of it. Plain C++17.
  */
 #ifndef nephoscope_BeamDeposit_h
 #define nephoscope_BeamDeposit_h
@@ -16,8 +16,8 @@ namespace nephoscope
 {
 struct BeamDeposit
 {
-  std::vector<float>
-    InLayer; ///< power that goes out of the beam between a point and the one above, in the area that they share
+  std::vector<float> InLayer; ///< power that goes out of the beam between a point and the one
+                              ///< above, in the area that they share
   std::vector<float>
     Beam; ///< its mean transmittance in the box around a point, by what it loses there
 };

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Approximate solution of the equations of ColumnSolver.h by multigrid: columns are solved exactly, and what is smooth from column to column on coarser
- * grids, each of two by two columns of the one before (Brandt1977). The result is linear and symmetric in the right side. Plain C++17.
+ * Approximate solution of the equations of ColumnSolver.h by multigrid: columns are solved exactly,
+ * and what is smooth from column to column on coarser grids, each of two by two columns of the one
+ * before (Brandt1977). The result is linear and symmetric in the right side. Plain C++17.
  */
 #ifndef nephoscope_ColumnLevels_h
 #define nephoscope_ColumnLevels_h
@@ -14,7 +15,10 @@
 
 namespace nephoscope
 {
-/** Columns side by side; couplings of each point with the next one along each axis, and what its row adds up to. */
+/**
+ * Columns side by side; couplings of each point with the next one along each axis, and what its row
+ * adds up to.
+ */
 struct ColumnMatrix
 {
   int Size[3] = { 0, 0, 0 };

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A symmetric positive definite system that couples each point of a grid with its six neighbours: conjugate gradients, with whole columns solved exactly as
- * preconditioner (HestenesStiefel1952). It is fast for columns that are lower than wide, as in the atmosphere. Plain C++17.
+ * A symmetric positive definite system that couples each point of a grid with its six neighbours:
+ * conjugate gradients, with whole columns solved exactly as preconditioner (HestenesStiefel1952).
+ * It is fast for columns that are lower than wide, as in the atmosphere. Plain C++17.
  */
 #ifndef nephoscope_ColumnSolver_h
 #define nephoscope_ColumnSolver_h
@@ -21,13 +22,16 @@ public:
   explicit ColumnSolver(const LightGrid& grid, Parallel parallel);
 
   std::vector<double> Diagonal;
-  std::vector<double> Next
-    [3]; ///< what couples each point with the one after it along each axis, with the sign of a conductance
+  std::vector<double> Next[3]; ///< what couples each point with the one after it along each axis,
+                               ///< with the sign of a conductance
 
   /** To be called once the matrix is set. */
   void Factor();
 
-  /** Starts from `x` and stops when the residual has fallen to that fraction of its initial value. Returns iterations. */
+  /**
+   * Starts from `x` and stops when the residual has fallen to that fraction of its initial value.
+   * Returns iterations.
+   */
   int Solve(const std::vector<double>& right, std::vector<double>& x, double reduction, int most);
 
 private:

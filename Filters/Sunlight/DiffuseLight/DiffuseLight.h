@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Diffuse light in a structured grid: discrete ordinates (DirectionSweep.h) in turn with the balance of light (LightBalance.h), which makes them converge in
- * few iterations and conserve energy (diffusion synthetic acceleration, AdamsLarsen2002).
+ * Diffuse light in a structured grid: discrete ordinates (DirectionSweep.h) in turn with the
+ * balance of light (LightBalance.h), which makes them converge in few iterations and conserve
+ * energy (diffusion synthetic acceleration, AdamsLarsen2002).
  *
- * Directions are relative to the grid's own axes at each point, so that on a globe they are east, north and up everywhere; the curvature over one free
- * path is neglected. The forward peak is removed beforehand (PhaseFunction.h). Light of one sun is 1. Plain C++17.
+ * Directions are relative to the grid's own axes at each point, so that on a globe they are east,
+ * north and up everywhere; the curvature over one free path is neglected. The forward peak is
+ * removed beforehand (PhaseFunction.h). Light of one sun is 1. Plain C++17.
  */
 #ifndef nephoscope_DiffuseLight_h
 #define nephoscope_DiffuseLight_h

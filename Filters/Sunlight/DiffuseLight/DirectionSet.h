@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Directions and their solid angles: Gauss-Legendre in the cosine of the zenith angle of each hemisphere, even in azimuth. Plain C++17.
+// Directions and their solid angles: Gauss-Legendre in the cosine of the zenith angle of each
+// hemisphere, even in azimuth. Plain C++17.
 #ifndef nephoscope_DirectionSet_h
 #define nephoscope_DirectionSet_h
 
@@ -22,7 +23,8 @@ struct AngleCounts
   int Zenith, Azimuth; // 0: automatic
 };
 
-// Small grids get more directions: up to 120,000 points the light takes about 1 s of processor time.
+// Small grids get more directions: up to 120,000 points the light takes about 1 s of processor
+// time.
 inline AngleCounts AnglesFor(AngleCounts asked, std::size_t points)
 {
   const AngleCounts automatic = points <= 20000 ? AngleCounts{ 6, 8 }
@@ -56,7 +58,8 @@ inline std::vector<std::pair<double, double>> GaussLegendre(int n)
   return rule;
 }
 
-// Cosines in each hemisphere, with a number of azimuth angles each; cosines with larger solid angles have twice as many. No direction is along an axis.
+// Cosines in each hemisphere, with a number of azimuth angles each; cosines with larger solid
+// angles have twice as many. No direction is along an axis.
 inline std::vector<Direction> DirectionSet(AngleCounts angles)
 {
   std::vector<Direction> directions;

@@ -21,7 +21,8 @@ struct DirectionSweep::Cone
   std::size_t First, Count; // directions
   float Z, Weight;
   std::vector<float> Fluence, X, Y; // of their light
-  // The sources in a plane: the part that all directions share, the changes along x and y, and what multiplies them.
+  // The sources in a plane: the part that all directions share, the changes along x and y, and what
+  // multiplies them.
   std::vector<float> Even, Slopes[2], Scale;
   // For each direction, in this plane and in that upstream.
   std::vector<std::vector<float>> Radiance[2], Emission[2];
@@ -143,7 +144,8 @@ void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) cons
   }
 }
 
-// The light of one direction in a plane. Outside an open grid the medium continues as at the boundary. Light across a seam is that of the last run.
+// The light of one direction in a plane. Outside an open grid the medium continues as at the
+// boundary. Light across a seam is that of the last run.
 void DirectionSweep::SweepPlane(Cone& cone, std::size_t d, int level, RowSweep& sweep)
 {
   const LightGrid& g = this->Grid;

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Discrete ordinates by short characteristics (KunaszAuer1988): the diffuse light that a given source function makes, direction by direction.
+ * Discrete ordinates by short characteristics (KunaszAuer1988): the diffuse light that a given
+ * source function makes, direction by direction.
  *
- *     S(d) = albedo / (4 pi) (fluence + 3 g d . flux + 5 h (P2(z) moment + 3 z (x, y) . tilt) + P(d . s) T)
+ *     S(d) = albedo / (4 pi) (fluence + 3 g d . flux + 5 h (P2(z) moment + 3 z (x, y) . tilt) + P(d
+ *     . s) T)
  *
- * d = (x, y, z). g and h are the first Legendre coefficients of P, whose mean over the directions is made 1. The integrals of x^2 - y^2 and x y are left out:
- * they change no column of the test clouds by more than 1 %. T: the sun's beam. Plain C++17.
+ * d = (x, y, z). g and h are the first Legendre coefficients of P, whose mean over the directions
+ * is made 1. The integrals of x^2 - y^2 and x y are left out: they change no column of the test
+ * clouds by more than 1 %. T: the sun's beam. Plain C++17.
  */
 #ifndef nephoscope_DirectionSweep_h
 #define nephoscope_DirectionSweep_h
@@ -23,7 +26,10 @@ namespace nephoscope
 class DirectionSweep
 {
 public:
-  /** `beam`: mean transmittance of the sun's beam around each point. Directions of the same zenith angle are next to one another. */
+  /**
+   * `beam`: mean transmittance of the sun's beam around each point. Directions of the same zenith
+   * angle are next to one another.
+   */
   DirectionSweep(const LightGrid& grid, const std::vector<float>& beam,
     const std::vector<Direction>& directions, const Parallel& parallel);
 

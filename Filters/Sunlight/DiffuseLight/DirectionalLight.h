@@ -28,8 +28,9 @@ struct DirectionalSource
 };
 
 /**
- * Adds point arrays to data that have Sunlight, the mean over all directions: SingleScattering (light straight from the sun; light that has been scattered
- * straight on before), DiffuseFlux and DiffuseSecondMoment; and the field array PhaseFunction, factors of the two from 0 to 180 degrees.
+ * Adds point arrays to data that have Sunlight, the mean over all directions: SingleScattering
+ * (light straight from the sun; light that has been scattered straight on before), DiffuseFlux and
+ * DiffuseSecondMoment; and the field array PhaseFunction, factors of the two from 0 to 180 degrees.
  */
 void AddDirectionalLight(vtkDataSet* data, const DirectionalSource& source, PhaseKind kind);
 }

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Diffuse light between two points in Eddington's approximation, solved exactly in the layer between them: whatever its optical depth, it neither makes
- * nor loses light. Plain C++17.
+ * Diffuse light between two points in Eddington's approximation, solved exactly in the layer
+ * between them: whatever its optical depth, it neither makes nor loses light. Plain C++17.
  *
- * With fluence F, flux J along the layer, scaled optical depth t, albedo w, asymmetry g and the beam's light T going along s:
+ * With fluence F, flux J along the layer, scaled optical depth t, albedo w, asymmetry g and the
+ * beam's light T going along s:
  *
  *     dJ/dt = -(1 - w) F + w T        dF/dt / 3 = -(1 - w g) J + w g s T
  */
@@ -28,7 +29,10 @@ struct LayerMedium
   }
 };
 
-/** Here - There of LayerConductance: what a layer absorbs per fluence at each of its points, without the rounding errors of the difference. */
+/**
+ * Here - There of LayerConductance: what a layer absorbs per fluence at each of its points, without
+ * the rounding errors of the difference.
+ */
 inline double LayerAbsorption(const LayerMedium& medium)
 {
   const double x = medium.Decay(), d = 1 / (3 * medium.Transport() * std::max(medium.Depth, 1e-4));
@@ -51,8 +55,8 @@ struct LayerConductance
 };
 
 /**
- * The distribution of light that a beam scatters in the layer, as fractions of all light scattered there. The beam goes as exp(slope u) from u = 0, the first point, to
- * u = 1, the second.
+ * The distribution of light that a beam scatters in the layer, as fractions of all light scattered
+ * there. The beam goes as exp(slope u) from u = 0, the first point, to u = 1, the second.
  */
 struct LayerShares
 {

@@ -216,7 +216,8 @@ void LightBalance::Compare(const DiffuseField& ordinates, const DiffuseField& kn
         edge.Extra = 0;
         const double found = 0.5 * (ordinates.Flux[p][axis] + ordinates.Flux[q][axis]);
         const double assumed = 0.5 * (known.Flux[p][axis] + known.Flux[q][axis]);
-        // In deep clouds a change of the flux comes back as `Forward` of itself, in thin ones not at all. Half of it makes the iteration converge in both.
+        // In deep clouds a change of the flux comes back as `Forward` of itself, in thin ones not
+        // at all. Half of it makes the iteration converge in both.
         const double settled = (found - 0.5 * edge.Forward * assumed) / (1 - 0.5 * edge.Forward);
         different(edge, settled, 0.5 * (edge.Out(a, b) + edge.In(a, b)));
       }
@@ -267,7 +268,8 @@ void LightBalance::Solve(const DiffuseField* ordinates, DiffuseField& field, dou
   this->CloseSeams(field);
 }
 
-// The flux is the mean of those before and after the point; ordinates add what such a mean of theirs lacks.
+// The flux is the mean of those before and after the point; ordinates add what such a mean of
+// theirs lacks.
 void LightBalance::WritePoint(
   std::size_t p, const Index& at, const DiffuseField* ordinates, DiffuseField& field) const
 {
@@ -327,7 +329,8 @@ void LightBalance::WritePoint(
   }
 }
 
-// What comes down is what the ground takes, divided by the fraction of it that the ground takes: errors of the flux grow by that.
+// What comes down is what the ground takes, divided by the fraction of it that the ground takes:
+// errors of the flux grow by that.
 void LightBalance::SettleGround(std::size_t p, DiffuseField& field) const
 {
   const double white = this->Grid.GroundAlbedo,

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The balance of diffuse light: what the sun's beam, the sky and the ground bring into the box around a point equals what leaves the box or is absorbed.
- * Fluxes between points are those of Eddington's approximation, exact in each layer (LayerTransfer.h), plus what discrete ordinates find different in
- * layers thin enough for them. So light is conserved for any optical depth of cells. Plain C++17.
+ * The balance of diffuse light: what the sun's beam, the sky and the ground bring into the box
+ * around a point equals what leaves the box or is absorbed.
+ * Fluxes between points are those of Eddington's approximation, exact in each layer
+ * (LayerTransfer.h), plus what discrete ordinates find different in layers thin enough for them. So
+ * light is conserved for any optical depth of cells. Plain C++17.
  */
 #ifndef nephoscope_LightBalance_h
 #define nephoscope_LightBalance_h
@@ -16,7 +18,11 @@
 
 namespace nephoscope
 {
-/** Fluence, flux along the axes, flux up plus flux down, and the second moment of the diffuse light: the integral of P2(z), a Legendre polynomial, over directions. Tilt: the integrals of x z and y z. */
+/**
+ * Fluence, flux along the axes, flux up plus flux down, and the second moment of the diffuse light:
+ * the integral of P2(z), a Legendre polynomial, over directions. Tilt: the integrals of x z and y
+ * z.
+ */
 struct DiffuseField
 {
   std::vector<float> Fluence;
@@ -35,10 +41,16 @@ class LightBalance
 public:
   LightBalance(const LightGrid& grid, const BeamDeposit& deposit, const Parallel& parallel);
 
-  /** Makes `field` the balanced one: by Eddington's approximation alone, or with what `ordinates` find different. */
+  /**
+   * Makes `field` the balanced one: by Eddington's approximation alone, or with what `ordinates`
+   * find different.
+   */
   void Solve(const DiffuseField* ordinates, DiffuseField& field, double reduction);
 
-  /** After the last Solve: light down on bright ground in balance, too, which would not converge in between; light below 0 at top and ground is taken from the columns beside. */
+  /**
+   * After the last Solve: light down on bright ground in balance, too, which would not converge in
+   * between; light below 0 at top and ground is taken from the columns beside.
+   */
   void Finish(DiffuseField& field) const;
 
   /** Power absorbed in the box around each point, per volume. */

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A structured grid with what light meets in it; its third index counts upwards (UprightOrder.h). Plain C++17.
+// A structured grid with what light meets in it; its third index counts upwards (UprightOrder.h).
+// Plain C++17.
 #ifndef nephoscope_LightGrid_h
 #define nephoscope_LightGrid_h
 
@@ -23,8 +24,8 @@ struct LightGrid
   bool Closed[2] = { false, false }; ///< along an axis: the last points are the first again
   std::vector<Vector>
     Step; ///< distance to the next point along each axis; at the last point that to the one before
-  std::vector<Vector>
-    Sun; ///< direction in which sunlight goes, in the axes of each point; one for all if there is one
+  std::vector<Vector> Sun; ///< direction in which sunlight goes, in the axes of each point; one for
+                           ///< all if there is one
   std::vector<float> Extinction; ///< scaled
   std::vector<float> Albedo;     ///< scaled
   std::vector<float> Asymmetry;  ///< scaled

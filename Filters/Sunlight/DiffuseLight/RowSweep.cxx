@@ -6,7 +6,10 @@ namespace nephoscope
 {
 namespace
 {
-/** The way to a point from between four others: across an axis, and by how much along the two others. */
+/**
+ * The way to a point from between four others: across an axis, and by how much along the two
+ * others.
+ */
 struct Crossing
 {
   const float *Rate, *RateU, *RateV;
@@ -14,7 +17,8 @@ struct Crossing
   SweepRow From[4];
 };
 
-// Rest: the light that arrives. Along a row, what the point before adds comes later, by its factor. The source goes linearly from that upstream to that here.
+// Rest: the light that arrives. Along a row, what the point before adds comes later, by its factor.
+// The source goes linearly from that upstream to that here.
 template <bool alongRow>
 void FindPieces(int count, float slope, float slopeU, float slopeV, const float* rate,
   const float* rateU, const float* rateV, const float* e0, const float* e1, const float* e2,

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Short characteristics through a row of a grid, in loops without decisions, so that a processor does several points at a time. Plain C++17.
+ * Short characteristics through a row of a grid, in loops without decisions, so that a processor
+ * does several points at a time. Plain C++17.
  *
- * Light arrives at a point from between four points upstream: where its way last crosses a plane, a neighbouring row or the point before.
+ * Light arrives at a point from between four points upstream: where its way last crosses a plane, a
+ * neighbouring row or the point before.
  */
 #ifndef nephoscope_RowSweep_h
 #define nephoscope_RowSweep_h
@@ -63,7 +65,10 @@ public:
     Rates[3]; ///< of crossing points, rows and planes, without slopes, for the points of the row
   float Slopes[3]; ///< absolute
 
-  /** Points from `first` (in the direction of light, 1 or -1), whose points upstream in the row are `upstream` away. */
+  /**
+   * Points from `first` (in the direction of light, 1 or -1), whose points upstream in the row are
+   * `upstream` away.
+   */
   void Run(int first, int count, int forward, std::ptrdiff_t upstream);
 
 private:

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Threads that stay, for work of thousands of short loops: vtkSMPTools with threads of our own would start them anew for each. Between two loops they
- * wait in a spin of some microseconds, then asleep. The loop goes on without those who are late.
+ * Threads that stay, for work of thousands of short loops: vtkSMPTools with threads of our own
+ * would start them anew for each. Between two loops they wait in a spin of some microseconds, then
+ * asleep. The loop goes on without those who are late.
  */
 #ifndef nephoscope_ThreadTeam_h
 #define nephoscope_ThreadTeam_h

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Phase function of cloud droplets in green light (0.55 micrometres), effective radius 10 micrometres, effective variance 0.1 (Hansen 1971), from 0 to 180
-// degrees in steps of 0.25. Written by Testing/mie.py.
+// Phase function of cloud droplets in green light (0.55 micrometres), effective radius 10
+// micrometres, effective variance 0.1 (Hansen 1971), from 0 to 180 degrees in steps of 0.25.
+// Written by Testing/mie.py.
 #ifndef nephoscope_DropletPhaseFunction_h
 #define nephoscope_DropletPhaseFunction_h
 
 namespace nephoscope
 {
-// Two Henyey-Greenstein functions (Kattawar 1975) with the same asymmetry parameter, fitted from 3 degrees on: the share of the first,
-// and their asymmetry parameters.
+// Two Henyey-Greenstein functions (Kattawar 1975) with the same asymmetry parameter, fitted from 3
+// degrees on: the share of the first, and their asymmetry parameters.
 constexpr double dropletForwardShare = 0.975000, dropletForward = 0.901686,
                  dropletBackward = -0.600000;
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Phase functions, normalized so that their mean over the sphere is 1, and the scaling that takes their forward peak away. Plain C++17.
+// Phase functions, normalized so that their mean over the sphere is 1, and the scaling that takes
+// their forward peak away. Plain C++17.
 #ifndef nephoscope_PhaseFunction_h
 #define nephoscope_PhaseFunction_h
 
@@ -9,7 +10,8 @@
 
 namespace nephoscope
 {
-// HenyeyGreenstein1941: `cosine` is that of the angle between the directions in which light goes before and after.
+// HenyeyGreenstein1941: `cosine` is that of the angle between the directions in which light goes
+// before and after.
 template <typename Real>
 Real HenyeyGreenstein(Real asymmetry, Real cosine)
 {
@@ -37,7 +39,10 @@ inline Number SecondLegendre(Number x)
   return (3 * x * x - 1) / 2;
 }
 
-/** Without the share `forward` of the scattered light, which goes straight on and is taken as not scattered (Wiscombe1977). */
+/**
+ * Without the share `forward` of the scattered light, which goes straight on and is taken as not
+ * scattered (Wiscombe1977).
+ */
 inline ScaledMedium Scaled(double extinction, double albedo, double asymmetry, double forward)
 {
   const double rest = 1 - forward;
@@ -58,8 +63,10 @@ inline float PhaseOfTwo(float first, float second, float cosine)
 }
 
 /**
- * The phase function for light that has been scattered into the forward peak before (README.md). `forward` is the fraction in that peak. The result is the mean of two functions:
- * `smooth`, that of the scaled medium, and the one that makes double scattering exact. `once` and `twice` are the phase functions of light scattered once and twice;
+ * The phase function for light that has been scattered into the forward peak before (README.md).
+ * `forward` is the fraction in that peak. The result is the mean of two functions:
+ * `smooth`, that of the scaled medium, and the one that makes double scattering exact. `once` and
+ * `twice` are the phase functions of light scattered once and twice;
  * `smoothTwice` is that of two scatterings in the scaled medium.
  */
 inline double AfterForwardScattering(
@@ -72,7 +79,10 @@ inline double AfterForwardScattering(
   return 0.5 * (smooth + std::max(exact, 0.0));
 }
 
-/** The same for a Henyey-Greenstein function. For light scattered twice, the asymmetry parameter is squared. */
+/**
+ * The same for a Henyey-Greenstein function. For light scattered twice, the asymmetry parameter is
+ * squared.
+ */
 inline double AfterForwardScattering(double asymmetry, double cosine)
 {
   const double forward = asymmetry * asymmetry, scaled = asymmetry / (1 + asymmetry);

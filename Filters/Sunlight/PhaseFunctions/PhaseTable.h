@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Phase functions as tables (Kattawar1975, BohrenHuffman1983), evenly spaced in the scattering angle from 0 to 180 degrees. Plain C++17.
+// Phase functions as tables (Kattawar1975, BohrenHuffman1983), evenly spaced in the scattering
+// angle from 0 to 180 degrees. Plain C++17.
 #ifndef nephoscope_PhaseTable_h
 #define nephoscope_PhaseTable_h
 
@@ -21,7 +22,10 @@ enum class PhaseKind
   CloudDroplets
 };
 
-/** P(cosine) of each kind, with the mean 1 over the sphere; `asymmetry` is that of a Henyey-Greenstein function. */
+/**
+ * P(cosine) of each kind, with the mean 1 over the sphere; `asymmetry` is that of a
+ * Henyey-Greenstein function.
+ */
 inline std::vector<double> PhaseTable(PhaseKind kind, double asymmetry)
 {
   if (kind == PhaseKind::CloudDroplets)
@@ -56,7 +60,10 @@ inline double AsymmetryOf(const std::vector<double>& table)
   return sum / weights;
 }
 
-/** The phase function of light scattered twice: its Legendre coefficients are the squares of those of `table`. */
+/**
+ * The phase function of light scattered twice: its Legendre coefficients are the squares of those
+ * of `table`.
+ */
 inline std::vector<double> ScatteredTwice(const std::vector<double>& table)
 {
   const std::size_t size = table.size(), terms = (size + 1) / 2;
@@ -87,8 +94,9 @@ inline std::vector<double> ScatteredTwice(const std::vector<double>& table)
 }
 
 /**
- * The factors by which a mapper multiplies single scattering: P / (1 - f) for light straight from the sun, and AfterForwardScattering() for light that has been
- * scattered into the forward peak before (PhaseFunction.h). Without scaling, f is 0.
+ * The factors by which a mapper multiplies single scattering: P / (1 - f) for light straight from
+ * the sun, and AfterForwardScattering() for light that has been scattered into the forward peak
+ * before (PhaseFunction.h). Without scaling, f is 0.
  */
 inline std::vector<std::array<float, 2>> PhaseFactors(const std::vector<double>& table, bool scales)
 {

@@ -175,8 +175,9 @@ void EvenRays::SortFields(const std::vector<SunPoint>& points)
   });
 }
 
-// Lengths in a layer at which a ray crosses planes through the points of the grid, and those of the faces between even vertices. All faces are in such
-// planes; what they cross beside faces does no harm. The last one is the end of the ray in the layer.
+// Lengths in a layer at which a ray crosses planes through the points of the grid, and those of the
+// faces between even vertices. All faces are in such planes; what they cross beside faces does no
+// harm. The last one is the end of the ray in the layer.
 std::vector<double> EvenRays::Crossings(
   const Place& at, const Place& slope, int level, bool isOdd) const
 {

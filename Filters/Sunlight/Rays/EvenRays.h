@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Rays to the sun through a grid whose points are evenly spaced along its first two axes: an image, or a rectilinear grid with levels at any height.
+ * Rays to the sun through a grid whose points are evenly spaced along its first two axes: an image,
+ * or a rectilinear grid with levels at any height.
  *
- * Rays from the even points of a level cross the faces of the tetrahedra (ChessboardGrid.h) in the same places relative to their points, and so do
- * those from the odd points. These places are found once per level. The integral is then the same sum of products for all points of a row, so that a
+ * Rays from the even points of a level cross the faces of the tetrahedra (ChessboardGrid.h) in the
+ * same places relative to their points, and so do those from the odd points. These places are found
+ * once per level. The integral is then the same sum of products for all points of a row, so that a
  * processor computes several points at a time. Plain C++17.
  */
 #ifndef nephoscope_EvenRays_h

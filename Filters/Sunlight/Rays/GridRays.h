@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Ways to the sun through the tetrahedra of a structured grid (ChessboardGrid.h), found from indices alone. Its first axis may close on itself, and
- * the rows at its ends may be poles. Or the grid repeats beyond its sides. Plain C++17.
+ * Ways to the sun through the tetrahedra of a structured grid (ChessboardGrid.h), found from
+ * indices alone. Its first axis may close on itself, and the rows at its ends may be poles. Or the
+ * grid repeats beyond its sides. Plain C++17.
  */
 #ifndef nephoscope_GridRays_h
 #define nephoscope_GridRays_h
@@ -25,10 +26,16 @@ public:
   {
   }
 
-  /** Finds seam and poles. False if points coincide elsewhere, or cells do not fit at the seam. No points in `merged`: none coincide. */
+  /**
+   * Finds seam and poles. False if points coincide elsewhere, or cells do not fit at the seam. No
+   * points in `merged`: none coincide.
+   */
   bool Connect(const std::vector<std::int32_t>& merged);
 
-  /** The grid repeats along the first and the second axis: its last points are the first ones of the next copy. These axes need an even number of cells. */
+  /**
+   * The grid repeats along the first and the second axis: its last points are the first ones of the
+   * next copy. These axes need an even number of cells.
+   */
   void Repeat() { this->Closed[0] = this->Closed[1] = this->IsRepeated = true; }
 
   void Turn(std::vector<SunPoint> points);

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * From tetrahedron to tetrahedron of a structured grid (ChessboardGrid.h). What changes is looked up in a table: processors foretell decisions badly.
+ * From tetrahedron to tetrahedron of a structured grid (ChessboardGrid.h). What changes is looked
+ * up in a table: processors foretell decisions badly.
  *
- * Each vertex has a label: the axis along which it is beside the odd vertex of the tetrahedron, or `odd` for that itself. Between the four even vertices
- * of a cell labels are those of the tetrahedron where the ray came from, and `odd` is the vertex which that had not. Plain C++17.
+ * Each vertex has a label: the axis along which it is beside the odd vertex of the tetrahedron, or
+ * `odd` for that itself. Between the four even vertices of a cell labels are those of the
+ * tetrahedron where the ray came from, and `odd` is the vertex which that had not. Plain C++17.
  */
 #ifndef nephoscope_GridWalk_h
 #define nephoscope_GridWalk_h
@@ -24,7 +26,10 @@ public:
   static constexpr int odd = 3;
 
   GridWalk() = default;
-  /** Through a face with these labels into the tetrahedron on this side (1 or -1 along each axis) of an odd vertex, or between even ones. */
+  /**
+   * Through a face with these labels into the tetrahedron on this side (1 or -1 along each axis) of
+   * an odd vertex, or between even ones.
+   */
   GridWalk(const ChessboardGrid& grid, const std::array<bool, 3>& closed, const Index& oddVertex,
     const Index& side, const Index& face, bool isBetween)
     : Labels(code(face, isBetween))
@@ -61,7 +66,9 @@ public:
 
   /** Whether the walk has crossed a seam since the last TakeTurns. */
   bool HasTurned() const { return this->HasTurns; }
-  /** How often it has crossed the seam along each axis: 1 from the first cell to the last, -1 back. */
+  /**
+   * How often it has crossed the seam along each axis: 1 from the first cell to the last, -1 back.
+   */
   Index TakeTurns()
   {
     const Index turns = this->Turns;
@@ -109,8 +116,8 @@ private:
     const int label = face[replaced];
     face[replaced] = next(face, isBetween);
     const bool goesBetween = !isBetween && label == odd;
-    if (
-      isBetween) // the odd vertex across from the even one: seen from there the two other axes change places
+    if (isBetween) // the odd vertex across from the even one: seen from there the two other axes
+                   // change places
     {
       const int b = (label + 1) % 3, c = (label + 2) % 3;
       move.Go[b] = move.Go[c] = move.Flip[b] = move.Flip[c] = -1;

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Ways to the sun through tetrahedra of any order: through the faces between them, and across gaps. Plain C++17. */
+/**
+ * Ways to the sun through tetrahedra of any order: through the faces between them, and across gaps.
+ * Plain C++17.
+ */
 #ifndef nephoscope_SunMesh_h
 #define nephoscope_SunMesh_h
 
@@ -14,7 +17,10 @@ class SunMesh : public SunPathsOfPoints
 public:
   using Tetrahedron = std::array<std::int32_t, 4>;
 
-  /** Tetrahedra with a vertex twice are left out. `merged` has the numbers of all points that stand for them in tetrahedra. */
+  /**
+   * Tetrahedra with a vertex twice are left out. `merged` has the numbers of all points that stand
+   * for them in tetrahedra.
+   */
   SunMesh(std::vector<Tetrahedron> tetrahedra, std::vector<std::int32_t> merged);
 
   void Turn(std::vector<SunPoint> points);

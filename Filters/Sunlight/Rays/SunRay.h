@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A ray to the sun on its way from tetrahedron to tetrahedron. In the frame of the sun it goes along z: where it passes a face follows from x and y alone,
- * and each tetrahedron adds one vertex to those of the face where the ray enters. Fields are linear in tetrahedra, so that their integrals are exact.
+ * A ray to the sun on its way from tetrahedron to tetrahedron. In the frame of the sun it goes
+ * along z: where it passes a face follows from x and y alone, and each tetrahedron adds one vertex
+ * to those of the face where the ray enters. Fields are linear in tetrahedra, so that their
+ * integrals are exact.
  * Plain C++17.
  */
 #ifndef nephoscope_SunRay_h
@@ -38,7 +40,10 @@ public:
     return { { std::max(this->Sums[0], 0.0), std::max(this->Sums[1], 0.0) } };
   }
 
-  /** Goes to this face across from the point: 1, or -1 if it has put the last two vertices in the place of one another; 0: the face is below or beside. */
+  /**
+   * Goes to this face across from the point: 1, or -1 if it has put the last two vertices in the
+   * place of one another; 0: the face is below or beside.
+   */
   int Start(const SunPoint& a, const SunPoint& b, const SunPoint& c, bool isThere = true)
   {
     const int turn = this->Face(a, b, c);
@@ -77,7 +82,10 @@ public:
     }
   }
 
-  /** Through a tetrahedron with this vertex above the last face; `isThere` tells whether it counts. Returns which vertex of the face (0 to 2) the new one replaces. */
+  /**
+   * Through a tetrahedron with this vertex above the last face; `isThere` tells whether it counts.
+   * Returns which vertex of the face (0 to 2) the new one replaces.
+   */
   int Step(const SunPoint& vertex, bool isThere = true)
   {
     const double x = vertex.X - this->X, y = vertex.Y - this->Y;
@@ -102,7 +110,8 @@ public:
   }
 
 private:
-  // The face that is looked at, turned so that areas are positive: 1, turned -1; 0: the ray passes it by.
+  // The face that is looked at, turned so that areas are positive: 1, turned -1; 0: the ray passes
+  // it by.
   int Face(const SunPoint& a, const SunPoint& b, const SunPoint& c)
   {
     this->Set(0, a);

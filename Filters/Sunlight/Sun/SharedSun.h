@@ -13,7 +13,10 @@
 
 namespace nephoscope
 {
-/** Unit vectors towards the sun: for data that are not on a globe, and for those of vtkGlobeGrid that are. */
+/**
+ * Unit vectors towards the sun: for data that are not on a globe, and for those of vtkGlobeGrid
+ * that are.
+ */
 struct SharedSun
 {
   std::array<double, 3> Direction = { { 0, 0, 0 } };

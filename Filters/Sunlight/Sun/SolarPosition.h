@@ -43,7 +43,8 @@ inline bool OffsetOf(const std::string& text, int& minutes)
     hours < 24 && rest >= 0 && rest < 60;
 }
 
-// Days since 2000-01-01 12:00 UTC of "2011-10-11 18:30", "2011-10-11T18:30:00Z", "2011-10-11 20:30+02:00" or "2011-10-11"; false if it is none.
+// Days since 2000-01-01 12:00 UTC of "2011-10-11 18:30", "2011-10-11T18:30:00Z", "2011-10-11
+// 20:30+02:00" or "2011-10-11"; false if it is none.
 inline bool DaysOf(const std::string& text, double& days)
 {
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, east = 0, end = 0;

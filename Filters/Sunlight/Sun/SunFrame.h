@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Points and clouds as the sun sees them: x and y across its direction, z towards it. Plain C++17. */
+/**
+ * Points and clouds as the sun sees them: x and y across its direction, z towards it. Plain C++17.
+ */
 #ifndef nephoscope_SunFrame_h
 #define nephoscope_SunFrame_h
 
@@ -20,7 +22,10 @@ using Fields =
 using Loop = std::function<void(
   std::int64_t count, const std::function<void(std::int64_t, std::int64_t)>& body)>;
 
-/** A depth at which less than 1e-17 of the light is left, so that the rest of the way changes nothing. */
+/**
+ * A depth at which less than 1e-17 of the light is left, so that the rest of the way changes
+ * nothing.
+ */
 constexpr double darkDepth = 40;
 
 struct SunPoint
@@ -29,7 +34,10 @@ struct SunPoint
   Fields Values;
 };
 
-/** The points in the frame of a sun in this direction, of length 1. Coincident points, whose numbers in `merged` are equal, have the values of one of them. */
+/**
+ * The points in the frame of a sun in this direction, of length 1. Coincident points, whose numbers
+ * in `merged` are equal, have the values of one of them.
+ */
 std::vector<SunPoint> SunPoints(const std::vector<Place>& places, const std::vector<Fields>& fields,
   const std::vector<std::int32_t>& merged, const Place& towardsSun, const Loop& loop);
 
@@ -40,7 +48,10 @@ struct SunBox
   void Add(const SunPoint& point);
 };
 
-/** Where the last clouds are towards the sun: a map across its direction, of pixels no lower than the clouds in them. */
+/**
+ * Where the last clouds are towards the sun: a map across its direction, of pixels no lower than
+ * the clouds in them.
+ */
 class LastClouds
 {
 public:
@@ -83,7 +94,10 @@ class SunPaths
 {
 public:
   virtual ~SunPaths() = default;
-  /** Integrals of the fields from points [first, last) to the exit of their paths from the mesh, or to the last cloud. */
+  /**
+   * Integrals of the fields from points [first, last) to the exit of their paths from the mesh, or
+   * to the last cloud.
+   */
   virtual void FindDepths(
     std::int32_t first, std::int32_t last, std::array<double, 2>* depths) const = 0;
 };

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a direction from the planet's centre lies among the columns and rows of a longitude-latitude grid. Plain C++17.
+// Where a direction from the planet's centre lies among the columns and rows of a
+// longitude-latitude grid. Plain C++17.
 //
-// A cell is the bilinear patch between the unit vectors of its corners, seen from the centre. What is interpolated on it is
-// divided by the length of the interpolated unit vector, so a vector field that is linear in the position, a rotation of the
-// sphere about any axis, is interpolated without error on any grid, at the poles and the seam too. No angle is computed where
-// the cell of the last search, or its neighbour, is the right one.
+// A cell is the bilinear patch between the unit vectors of its corners, seen from the centre. What
+// is interpolated on it is divided by the length of the interpolated unit vector, so a vector field
+// that is linear in the position, a rotation of the sphere about any axis, is interpolated without
+// error on any grid, at the poles and the seam too. No angle is computed where the cell of the last
+// search, or its neighbour, is the right one.
 #ifndef nephoscope_GlobeColumns_h
 #define nephoscope_GlobeColumns_h
 
@@ -41,8 +43,8 @@ public:
 
   GlobeColumns() = default;
 
-  // Radians; longitudes rise from column to column and span no more than a turn, latitudes rise from row to row. If
-  // they span a turn up to rounding the grid is closed.
+  // Radians; longitudes rise from column to column and span no more than a turn, latitudes rise
+  // from row to row. If they span a turn up to rounding the grid is closed.
   GlobeColumns(std::vector<double> longitudes, const std::vector<double>& latitudes)
     : Longitudes(std::move(longitudes))
   {

@@ -10,8 +10,9 @@
 
 #include <cmath>
 
-// Compiled twice, all that is called inlined: for any processor, and for those with wide registers and fused multiplication, which is
-// chosen when the library is loaded. Sanitizers are not ready then.
+// Compiled twice, all that is called inlined: for any processor, and for those with wide registers
+// and fused multiplication, which is chosen when the library is loaded. Sanitizers are not ready
+// then.
 #if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__clang__) && \
   !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define NEPHOSCOPE_FOR_EACH_PROCESSOR \
@@ -263,8 +264,8 @@ void GlobeFlow::Displacements(const FlowStep& present, std::vector<float>& displ
   });
 }
 
-// Radians eastwards along the path. From a pole, where a path has no longitude to begin with, the short way from the
-// point's own meridian; to a pole, none.
+// Radians eastwards along the path. From a pole, where a path has no longitude to begin with, the
+// short way from the point's own meridian; to a pole, none.
 double GlobeFlow::LongitudeTravelled(const Start& start, const GlobeParcel& parcel)
 {
   const double* d = parcel.Direction;
@@ -277,8 +278,8 @@ double GlobeFlow::LongitudeTravelled(const Start& start, const GlobeParcel& parc
                                  : angle - start.Angle + TURN * parcel.Turns;
 }
 
-// Points of the grid have the longitude of their column: the one that closes it is a turn beyond the first. Other points have it in
-// the turn that begins with the grid's first column.
+// Points of the grid have the longitude of their column: the one that closes it is a turn beyond
+// the first. Other points have it in the turn that begins with the grid's first column.
 std::vector<double> GlobeFlow::Longitudes(vtkDataSet* points) const
 {
   std::vector<double> longitudes(static_cast<std::size_t>(points->GetNumberOfPoints()));

@@ -13,7 +13,8 @@ namespace nephoscope
 class GlobeFlow : public TextureFlow
 {
 public:
-  // `firstColumn`: where the extent of the whole grid begins. `cartesian`: write Cartesian coordinates.
+  // `firstColumn`: where the extent of the whole grid begins. `cartesian`: write Cartesian
+  // coordinates.
   GlobeFlow(GlobeShape shape, int firstColumn, const PathSettings& settings, bool cartesian);
   ~GlobeFlow() override;
 

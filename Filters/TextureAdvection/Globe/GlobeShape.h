@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A structured grid on a globe or a map, recognised by its points: its columns, rows and levels, and its winds as GlobeWinds.
+// A structured grid on a globe or a map, recognised by its points: its columns, rows and levels,
+// and its winds as GlobeWinds.
 #ifndef nephoscope_GlobeShape_h
 #define nephoscope_GlobeShape_h
 
@@ -18,9 +19,10 @@ namespace nephoscope
 {
 enum class GridKind
 {
-  Automatic, // what vtkGlobeGrid says in the field data; without, a globe if the points are on one, else neither
-  Globe, // centred at the origin, the axis is z
-  Map,   // plate carree: x = R longitude, y = R latitude in radians, z = height
+  Automatic, // what vtkGlobeGrid says in the field data; without, a globe if the points are on one,
+             // else neither
+  Globe,     // centred at the origin, the axis is z
+  Map,       // plate carree: x = R longitude, y = R latitude in radians, z = height
   Cartesian
 };
 
@@ -29,8 +31,8 @@ struct GlobeInput
 {
   vtkDataSet* Data = nullptr;
   vtkDataArray* Velocity = nullptr; // of the displayed positions, length/s
-  // Another vertical coordinate than the displayed height, which rises with the levels, if Sign is 1, or falls, if it is -1, and
-  // its rate following the air.
+  // Another vertical coordinate than the displayed height, which rises with the levels, if Sign is
+  // 1, or falls, if it is -1, and its rate following the air.
   vtkDataArray* Vertical = nullptr;
   vtkDataArray* VerticalRate = nullptr;
   double Sign = 1.0;
@@ -53,8 +55,9 @@ public:
   // Whether the columns and rows of another grid are the same.
   bool Fits(vtkDataSet* data) const;
 
-  // Hidden points (below the ground), and points where the velocity is not finite, which are counted in `missing`, take the wind of
-  // the nearest level of their column that has one, without its upward part; a column without any is calm.
+  // Hidden points (below the ground), and points where the velocity is not finite, which are
+  // counted in `missing`, take the wind of the nearest level of their column that has one, without
+  // its upward part; a column without any is calm.
   GlobeWinds MakeWinds(const GlobeInput& input, std::int64_t& missing) const;
 
   // A displayed position as a direction and a height above the reference radius.
@@ -64,7 +67,8 @@ public:
   int Levels() const { return this->Size[2]; }
   bool IsMap() const { return this->OnMap; }
   double Radius() const { return this->Radius_; } // displayed, of height 0
-  // The longitude of a column of the whole extent, radians, as the grid counts them, not reduced to one turn.
+  // The longitude of a column of the whole extent, radians, as the grid counts them, not reduced to
+  // one turn.
   double LongitudeOf(int column) const;
 
 private:

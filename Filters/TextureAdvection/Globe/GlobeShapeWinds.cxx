@@ -121,7 +121,8 @@ GlobeWinds GlobeShape::MakeWinds(const GlobeInput& input, std::int64_t& missing)
   return winds;
 }
 
-// Levels without a wind take that of the nearest one which has it; the lowest one with a wind is the ground.
+// Levels without a wind take that of the nearest one which has it; the lowest one with a wind is
+// the ground.
 void GlobeShape::FillColumn(
   GlobeWinds& winds, const std::vector<unsigned char>& known, int column, int row) const
 {

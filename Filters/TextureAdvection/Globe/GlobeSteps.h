@@ -9,8 +9,8 @@
 
 namespace nephoscope
 {
-// The winds at the beginning, in the middle and at the end of a step. Winds are linear in time, so a step that lies between two
-// times of a series can have them made once for all parcels.
+// The winds at the beginning, in the middle and at the end of a step. Winds are linear in time, so
+// a step that lies between two times of a series can have them made once for all parcels.
 struct StepWinds
 {
   const GlobeWinds* Begin;
@@ -89,7 +89,8 @@ private:
     parcel.Level = end.Level;
   }
 
-  // The first stage holds the parcel between the ground and the top, so that a path that would leave slides along.
+  // The first stage holds the parcel between the ground and the top, so that a path that would
+  // leave slides along.
   SphereRates FirstStage(GlobeParcel& parcel, const GlobeWinds& winds, SphereState& state) const
   {
     const auto foot = this->Sampler.Locate(state.Direction, parcel.Hint);
@@ -131,7 +132,8 @@ private:
     return Tangent(rates, foot, state.Direction);
   }
 
-  // Beyond a border the wind is that on the border, which is tangent to the sphere there and not here.
+  // Beyond a border the wind is that on the border, which is tangent to the sphere there and not
+  // here.
   static SphereRates Tangent(
     SphereRates rates, const GlobeWindSampler::Footprint& foot, const double p[3])
   {
@@ -148,7 +150,8 @@ private:
     return rates;
   }
 
-  // The chord of a step crosses the meridian of 180 degrees where y changes its sign at a negative x.
+  // The chord of a step crosses the meridian of 180 degrees where y changes its sign at a negative
+  // x.
   static void CountTurns(GlobeParcel& parcel, const double to[3])
   {
     const double* from = parcel.Direction;

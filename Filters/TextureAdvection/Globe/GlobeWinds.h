@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The wind over a globe at one time, on columns and rows of points at levels whose heights differ from column to column.
+// The wind over a globe at one time, on columns and rows of points at levels whose heights differ
+// from column to column.
 // Plain C++17.
 #ifndef nephoscope_GlobeWinds_h
 #define nephoscope_GlobeWinds_h
@@ -12,7 +13,8 @@
 
 namespace nephoscope
 {
-// Angular velocity as a Cartesian vector of the unit sphere, tangent to it, 1/s; and the rate of the vertical coordinate.
+// Angular velocity as a Cartesian vector of the unit sphere, tangent to it, 1/s; and the rate of
+// the vertical coordinate.
 // Not the longitude's and latitude's own rates: those have no limit at a pole.
 struct WindVector
 {
@@ -22,10 +24,11 @@ struct WindVector
   float Rise = 0.0f;
 };
 
-// The vertical coordinate is any that rises from level to level: height, radius, or pressure with its sign turned. Followed as
-// such, it needs no chain rule: the motion relative to the levels, however they slope and move, comes of looking the levels up
-// where the air is. (For a coordinate q with the rate Dq/Dt following the air, the rate of the level k would be
-// (Dq/Dt - dq/dt|k - V . grad_k q) / (dq/dk).)
+// The vertical coordinate is any that rises from level to level: height, radius, or pressure with
+// its sign turned. Followed as such, it needs no chain rule: the motion relative to the levels,
+// however they slope and move, comes of looking the levels up where the air is. (For a coordinate q
+// with the rate Dq/Dt following the air, the rate of the level k would be (Dq/Dt - dq/dt|k - V .
+// grad_k q) / (dq/dk).)
 struct GlobeWinds
 {
   // Axis 0 (columns) fastest, then rows, then levels.
@@ -99,7 +102,8 @@ public:
     return { { foot.Scale * sums[0], foot.Scale * sums[1], foot.Scale * sums[2] }, sums[3] };
   }
 
-  // The index of the level below goes into `hint`; returned is the fraction of the way to the one above. Held at the ends.
+  // The index of the level below goes into `hint`; returned is the fraction of the way to the one
+  // above. Held at the ends.
   double FindLevel(const std::vector<float>& surfaces, const Footprint& foot, double level,
     std::int32_t& hint) const
   {

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Steps of motion on the unit sphere, as Cartesian vectors: the same at the poles as anywhere, which steps in longitude and
-// latitude are not. Plain C++17.
+// Steps of motion on the unit sphere, as Cartesian vectors: the same at the poles as anywhere,
+// which steps in longitude and latitude are not. Plain C++17.
 //
-// A state is a direction and a vertical coordinate. `motion(state, fraction)` returns their rates at that fraction of the step;
-// stages of a step are a little off the sphere, and the rate of the direction is then to be proportional to its length. At
-// fraction 0 it may move the level, to hold it above the ground.
+// A state is a direction and a vertical coordinate. `motion(state, fraction)` returns their rates
+// at that fraction of the step; stages of a step are a little off the sphere, and the rate of the
+// direction is then to be proportional to its length. At fraction 0 it may move the level, to hold
+// it above the ground.
 #ifndef nephoscope_SphereSteps_h
 #define nephoscope_SphereSteps_h
 
@@ -95,9 +96,10 @@ SphereState RungeKutta4Step(SphereState start, double step, const Motion& motion
   return end;
 }
 
-// DormandPrince1980 in sub-steps whose estimated error, an angle in radians, is at most `tolerance`; `levelScale` turns
-// an error of the level into one. No sub-step goes further than `longestWay`, an angle too: the motion has kinks at the edges
-// of cells, which the estimate does not see from afar.
+// DormandPrince1980 in sub-steps whose estimated error, an angle in radians, is at most
+// `tolerance`; `levelScale` turns an error of the level into one. No sub-step goes further than
+// `longestWay`, an angle too: the motion has kinks at the edges of cells, which the estimate does
+// not see from afar.
 template <typename Motion>
 SphereState AdaptiveStep(SphereState start, double step, double tolerance, double levelScale,
   double longestWay, const Motion& motion)

@@ -12,7 +12,8 @@
 
 namespace nephoscope
 {
-// The position of a time within a series. Before the first and after the last, both neighbours are that one.
+// The position of a time within a series. Before the first and after the last, both neighbours are
+// that one.
 struct SeriesInterval
 {
   int Earlier = 0;
@@ -50,8 +51,9 @@ public:
       (time - this->Time(earlier)) / (this->Time(earlier + 1) - this->Time(earlier)) };
   }
 
-  // The interval of the series that a step back from `time` runs through, and where it may end: at the times of the series and
-  // at equal parts of what lies between, of at most `step`. So the steps do not depend on where a path begins.
+  // The interval of the series that a step back from `time` runs through, and where it may end: at
+  // the times of the series and at equal parts of what lies between, of at most `step`. So the
+  // steps do not depend on where a path begins.
   double StepBack(double time, double step, SeriesInterval& interval) const
   {
     const double edge = time <= this->First() ? this->First() : this->Last();
@@ -101,8 +103,8 @@ struct PathStep
   double To;
 };
 
-// Calls take(PathStep) for every step from `start` back to each of `stops`, which fall, and arrive(index) there. False if one
-// of them said so.
+// Calls take(PathStep) for every step from `start` back to each of `stops`, which fall, and
+// arrive(index) there. False if one of them said so.
 template <typename Take, typename Arrive>
 bool FollowBack(const TimeSeries& series, double start, const std::vector<double>& stops,
   double step, const Take& take, const Arrive& arrive)

@@ -12,7 +12,8 @@ namespace nephoscope
 {
 using Matrix3 = std::array<std::array<double, 3>, 3>;
 
-// The largest eigenvalue of a symmetric matrix, in closed form (Smith1961: trigonometric solution of the cubic).
+// The largest eigenvalue of a symmetric matrix, in closed form (Smith1961: trigonometric solution
+// of the cubic).
 inline double LargestEigenvalue(const Matrix3& a)
 {
   const double off = a[0][1] * a[0][1] + a[0][2] * a[0][2] + a[1][2] * a[1][2];
@@ -38,8 +39,8 @@ inline double LargestEigenvalue(const Matrix3& a)
   return mean + 2.0 * p * std::cos(std::acos(std::clamp(halfDeterminant, -1.0, 1.0)) / 3.0);
 }
 
-// The largest factor by which lengths grow under a linear map: its largest singular value. Columns are the images of
-// orthonormal vectors; unused ones are zero.
+// The largest factor by which lengths grow under a linear map: its largest singular value. Columns
+// are the images of orthonormal vectors; unused ones are zero.
 inline double LargestStretch(const Matrix3& columns)
 {
   Matrix3 products{};
@@ -60,7 +61,8 @@ inline double LyapunovExponent(double stretch, double age)
   return age > 0.0 && stretch > 0.0 ? std::log(stretch) / age : 0.0;
 }
 
-// How much of a set's weight is left where its texture has been stretched: 1 where it is not, one half at `limit`.
+// How much of a set's weight is left where its texture has been stretched: 1 where it is not, one
+// half at `limit`.
 inline double WeightLeft(double stretch, double limit)
 {
   const double ratio = stretch / limit;

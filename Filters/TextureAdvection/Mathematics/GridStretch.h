@@ -18,8 +18,9 @@ struct StretchGrid
   bool Closed = false;       // the last points of axis 0 are the first ones
 };
 
-// By differences of neighbours to either side, on any curvilinear grid: the images of the grid's own directions are made
-// those of orthonormal ones. Axes of one point, or on which neighbours coincide, do not count.
+// By differences of neighbours to either side, on any curvilinear grid: the images of the grid's
+// own directions are made those of orthonormal ones. Axes of one point, or on which neighbours
+// coincide, do not count.
 class GridStretch
 {
 public:

@@ -11,15 +11,17 @@ namespace nephoscope
 {
 constexpr int TEXTURE_SETS = 2;
 
-// Times in seconds. Set 0 is born at Start and every Period before and after it, set 1 half a period later.
+// Times in seconds. Set 0 is born at Start and every Period before and after it, set 1 half a
+// period later.
 struct TextureSets
 {
   double Start = 0.0;
   double Period = 86400.0;
-  bool FromGrid =
-    false; // at Start the air stands still before: coordinates of both sets start there, weights do not change
+  bool FromGrid = false; // at Start the air stands still before: coordinates of both sets start
+                         // there, weights do not change
 
-  // The birth of the set that is alive at a time; a time of birth, up to rounding, is of the new life.
+  // The birth of the set that is alive at a time; a time of birth, up to rounding, is of the new
+  // life.
   double Birth(int set, double time) const
   {
     const double first = this->Start + (set == 0 ? 0.0 : 0.5 * this->Period);
@@ -29,7 +31,8 @@ struct TextureSets
 
   double Age(int set, double time) const { return time - this->Birth(set, time); }
 
-  // When the coordinates of a set were those of the grid: at its birth, or at Start if that is later and they start from the grid.
+  // When the coordinates of a set were those of the grid: at its birth, or at Start if that is
+  // later and they start from the grid.
   double Origin(int set, double time) const
   {
     const double birth = this->Birth(set, time);
@@ -38,8 +41,8 @@ struct TextureSets
 
   int Older(double time) const { return this->Age(0, time) >= this->Age(1, time) ? 0 : 1; }
 
-  // A triangle: 0 at birth and death, 1 in the middle of life. That of set 1 is what is left to 1, so that the two add
-  // up to 1 exactly, and a set that is born at this very time weighs exactly 0.
+  // A triangle: 0 at birth and death, 1 in the middle of life. That of set 1 is what is left to 1,
+  // so that the two add up to 1 exactly, and a set that is born at this very time weighs exactly 0.
   double Weight(int set, double time) const
   {
     if (set == 1)
@@ -53,7 +56,8 @@ struct TextureSets
   static double Triangle(double life) { return 1.0 - std::abs(2.0 * life - 1.0); }
 };
 
-// The ages between which a set's coordinates are interpolated, if they are computed at multiples of an interval only.
+// The ages between which a set's coordinates are interpolated, if they are computed at multiples of
+// an interval only.
 struct KeyAges
 {
   double First;
@@ -61,7 +65,8 @@ struct KeyAges
   double Weight; // of the second
 };
 
-// `interval` 0: the age itself. The last key age of a life is its end, so that nothing is interpolated across a birth.
+// `interval` 0: the age itself. The last key age of a life is its end, so that nothing is
+// interpolated across a birth.
 inline KeyAges KeyAgesAround(double age, double interval, double period)
 {
   if (!(interval > 0.0))

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Flows of which the paths are known, or known to many digits, and the order of each method in them.
+// Flows of which the paths are known, or known to many digits, and the order of each method in
+// them.
 #include "ParticleIntegrator.h"
 
 #include <gtest/gtest.h>
@@ -105,7 +106,8 @@ Vector3 ABC(const Vector3& p, double)
     std::sin(p[1]) + b * std::cos(p[0]) };
 }
 
-// Largest error over the points, back from `time` to 0, against the exact place or that of many steps.
+// Largest error over the points, back from `time` to 0, against the exact place or that of many
+// steps.
 double Worst(const Flow& flow, const std::vector<Vector3>& points, double time, int steps,
   IntegrationMethod method, const std::function<Vector3(const Vector3&)>& exact)
 {

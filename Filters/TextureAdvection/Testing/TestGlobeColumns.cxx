@@ -43,7 +43,8 @@ void RandomDirection(std::mt19937& random, double p[3])
   Normalize(p);
 }
 
-// The point of the bilinear patch of a column, times the scale: the direction itself, if the column is right.
+// The point of the bilinear patch of a column, times the scale: the direction itself, if the column
+// is right.
 void PointOf(const GlobeColumns& columns, const ColumnPosition& column, double x[3])
 {
   x[0] = x[1] = x[2] = 0.0;

@@ -10,8 +10,8 @@ class vtkDataSetAttributes;
 
 namespace nephoscope
 {
-// Turns the arrays of `second` into (1 - weight) first + weight second. Integers are those of the nearer time; an array that only
-// one of the two has is left as it is, or left out.
+// Turns the arrays of `second` into (1 - weight) first + weight second. Integers are those of the
+// nearer time; an array that only one of the two has is left as it is, or left out.
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT void BlendArrays(
   vtkDataSetAttributes* first, double weight, vtkDataSetAttributes* second);
 }

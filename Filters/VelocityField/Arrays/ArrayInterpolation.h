@@ -44,14 +44,16 @@ private:
   std::vector<std::size_t> Ends;
 };
 
-// Whether an array of a point data is interpolated: it holds numbers that are neither ids nor ghost flags.
+// Whether an array of a point data is interpolated: it holds numbers that are neither ids nor ghost
+// flags.
 bool IsInterpolated(vtkPointData* data, int array);
 
 // NaN in every component of a tuple, 0 where the type has no NaN.
 void SetOutside(vtkDataArray* array, vtkIdType tuple);
 
-// Makes every interpolated array of the input in the output, with `count` tuples. `fill(begin, end, stencils)` adds the
-// stencils of the positions from begin to end; it is called by several threads. Integers are rounded to the nearest.
+// Makes every interpolated array of the input in the output, with `count` tuples. `fill(begin, end,
+// stencils)` adds the stencils of the positions from begin to end; it is called by several threads.
+// Integers are rounded to the nearest.
 void InterpolateArrays(vtkPointData* input, std::size_t count, vtkPointData* output,
   const std::function<void(std::size_t, std::size_t, Stencils&)>& fill);
 }

@@ -12,7 +12,8 @@ class vtkDataSet;
 
 namespace nephoscope
 {
-// A cell is hidden by HIDDENCELL or REFINEDCELL in the vtkGhostType of the cells, or by a HIDDENPOINT corner.
+// A cell is hidden by HIDDENCELL or REFINEDCELL in the vtkGhostType of the cells, or by a
+// HIDDENPOINT corner.
 // Duplicates (ghost copies of other pieces) hold valid values and stay.
 class HiddenCells
 {

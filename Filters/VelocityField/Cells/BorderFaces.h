@@ -17,8 +17,9 @@ namespace nephoscope
 // Corners of a face, one after the other around it; the last is -1 in a triangle.
 using FaceCorners = std::array<vtkIdType, 4>;
 
-// The border of the visible cells at whose corners `velocity`, on points, is finite, in an order that depends on the dataset
-// alone. Faces inside may be among them. Polygons are fans of triangles; curved faces are known by their corners.
+// The border of the visible cells at whose corners `velocity`, on points, is finite, in an order
+// that depends on the dataset alone. Faces inside may be among them. Polygons are fans of
+// triangles; curved faces are known by their corners.
 std::vector<FaceCorners> BorderFaces(vtkDataSet* data, vtkDataArray* velocity);
 
 // Whether every point and cell has a velocity.

@@ -14,8 +14,8 @@
 
 namespace nephoscope
 {
-// The cells in the order of a space-filling curve (Morton1966) of their centres; eight of them share a box, eight boxes a
-// larger one, and so on.
+// The cells in the order of a space-filling curve (Morton1966) of their centres; eight of them
+// share a box, eight boxes a larger one, and so on.
 class CellTree
 {
 public:
@@ -73,8 +73,8 @@ public:
     return this->Descend(top, 0, this->Levels[top].size(), x, found);
   }
 
-  // Calls `look(cell)`, which tells the square of the distance of the nearest thing seen so far, with every cell whose box
-  // is not farther.
+  // Calls `look(cell)`, which tells the square of the distance of the nearest thing seen so far,
+  // with every cell whose box is not farther.
   template <typename Look>
   void ForEachNear(const Vector3& x, const Look& look) const
   {

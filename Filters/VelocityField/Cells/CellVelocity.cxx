@@ -151,8 +151,8 @@ bool CellVelocity::WeightsByFormula(Search& search, int type) const
 
 bool CellVelocity::WeightsByCell(Search& search, vtkIdType cell, bool nearToo) const
 {
-  // VTK's polyhedra draw from its one sequence of random numbers to tell inside from outside, and its Bezier cells share tables: threads must
-  // not evaluate them at the same time.
+  // VTK's polyhedra draw from its one sequence of random numbers to tell inside from outside, and
+  // its Bezier cells share tables: threads must not evaluate them at the same time.
   static std::mutex oneAtATime;
   std::unique_lock<std::mutex> alone(oneAtATime, std::defer_lock);
   const int type = this->Data->GetCellType(cell);

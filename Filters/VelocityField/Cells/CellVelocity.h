@@ -18,9 +18,10 @@ class vtkDataSet;
 
 namespace nephoscope
 {
-// Cells of all kinds: tetrahedra, hexahedra and voxels by their own formulas, others by VTK's. The cell of the hint is
-// tried first, then those whose box holds the position; then, because VTK's own test leaves gaps between neighbours,
-// those once more that are within rounding of it. The boxes are made when they are needed first.
+// Cells of all kinds: tetrahedra, hexahedra and voxels by their own formulas, others by VTK's. The
+// cell of the hint is tried first, then those whose box holds the position; then, because VTK's own
+// test leaves gaps between neighbours, those once more that are within rounding of it. The boxes
+// are made when they are needed first.
 class CellVelocity : public DataSetField
 {
 public:

@@ -50,7 +50,8 @@ private:
     return { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
   }
 
-  // Newton's method for the least square of k0 + u k1 + v k2 + u v k3; that of Gauss where the surface curves too much.
+  // Newton's method for the least square of k0 + u k1 + v k2 + u v k3; that of Gauss where the
+  // surface curves too much.
   static bool FootOn(const Vector3 (&k)[4], double& u, double& v)
   {
     for (int iteration = 0; iteration < 30; ++iteration)

@@ -18,8 +18,9 @@ class vtkDataSet;
 
 namespace nephoscope
 {
-// Where the field of the dataset has no velocity (beyond its border, in holes, in hidden cells and in those whose velocity is not
-// finite), the velocity is that at the nearest place that has one. On an image that place is the position, clamped to the bounds.
+// Where the field of the dataset has no velocity (beyond its border, in holes, in hidden cells and
+// in those whose velocity is not finite), the velocity is that at the nearest place that has one.
+// On an image that place is the position, clamped to the bounds.
 class UnboundedField : public VelocityField
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Particles moved with an error that is kept below a tolerance. Every particle takes sub-steps of its own; a batch
-// holds the next sub-step of all that have not arrived yet. Plain C++17.
+// Particles moved with an error that is kept below a tolerance. Every particle takes sub-steps of
+// its own; a batch holds the next sub-step of all that have not arrived yet. Plain C++17.
 #ifndef nephoscope_AdaptiveIntegrator_h
 #define nephoscope_AdaptiveIntegrator_h
 

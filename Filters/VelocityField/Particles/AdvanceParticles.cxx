@@ -14,7 +14,8 @@ namespace nephoscope
 {
 namespace
 {
-// A batch and its scratch stay in the first-level cache; a job outweighs the cost of handing it to a thread.
+// A batch and its scratch stay in the first-level cache; a job outweighs the cost of handing it to
+// a thread.
 constexpr std::size_t BATCH_SIZE = 64;
 constexpr vtkIdType JOB_SIZE = 256;
 // Starting threads takes about as long as a step of so many particles on a structured grid.

@@ -9,8 +9,9 @@
 
 namespace nephoscope
 {
-// Moves the particles from `time` to `time + step`. A local field is sampled by threads, in small batches; another
-// one by this thread, with all particles in every batch. The result does not depend on the number of threads.
+// Moves the particles from `time` to `time + step`. A local field is sampled by threads, in small
+// batches; another one by this thread, with all particles in every batch. The result does not
+// depend on the number of threads.
 VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT void AdvanceParticles(const VelocityField& field,
   const Particles& particles, double time, double step, const IntegrationSettings& settings = {});
 }

@@ -10,8 +10,8 @@
 
 namespace nephoscope
 {
-// One object per thread. What becomes of a particle does not depend on the others, so particles may be divided among
-// integrators at will.
+// One object per thread. What becomes of a particle does not depend on the others, so particles may
+// be divided among integrators at will.
 class ParticleIntegrator
 {
 public:

@@ -8,15 +8,16 @@
 
 namespace nephoscope
 {
-// Particles that share a time. `Inside` is 0 from the moment a particle has left the field: it keeps the position
-// it had before the step in which it left, and is not looked at again.
+// Particles that share a time. `Inside` is 0 from the moment a particle has left the field: it
+// keeps the position it had before the step in which it left, and is not looked at again.
 struct Particles
 {
   Vector3* Positions = nullptr;
   CellHint* Hints = nullptr;
   unsigned char* Inside = nullptr;
   std::size_t Count = 0;
-  // Adaptive only, optional: the sub-step to begin with, left for the next call; 0: begin with the whole step.
+  // Adaptive only, optional: the sub-step to begin with, left for the next call; 0: begin with the
+  // whole step.
   double* SubSteps = nullptr;
 };
 
@@ -24,7 +25,8 @@ enum class IntegrationMethod
 {
   Euler,        // one step of first order
   RungeKutta4,  // one step
-  DormandPrince // of order 5, in sub-steps that keep the estimated error of each below the tolerance
+  DormandPrince // of order 5, in sub-steps that keep the estimated error of each below the
+                // tolerance
 };
 
 struct IntegrationSettings

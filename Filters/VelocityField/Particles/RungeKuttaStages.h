@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The particles that are still moving, side by side, with the slopes at the stages of a Runge-Kutta step.
+// The particles that are still moving, side by side, with the slopes at the stages of a Runge-Kutta
+// step.
 // Plain C++17.
 #ifndef nephoscope_RungeKuttaStages_h
 #define nephoscope_RungeKuttaStages_h
@@ -69,7 +70,8 @@ public:
     return sum;
   }
 
-  // `weights` is the row of the stage in the method's table; `times`, if not null, holds a time for each.
+  // `weights` is the row of the stage in the method's table; `times`, if not null, holds a time for
+  // each.
   void SampleStage(
     const VelocityField& field, const double* weights, int stage, double time, const double* times)
   {

@@ -15,7 +15,8 @@ struct EulerMethod
   static constexpr double Weights[1] = { 1.0 };
 };
 
-// The classical method of fourth order: row s of Stages makes the probe of stage s from the slopes before it.
+// The classical method of fourth order: row s of Stages makes the probe of stage s from the slopes
+// before it.
 struct RungeKutta4
 {
   static constexpr int StageCount = 4;
@@ -24,8 +25,8 @@ struct RungeKutta4
   static constexpr double Weights[4] = { 1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0 };
 };
 
-// DormandPrince1980, the pair RK5(4)7M: fifth order with an embedded fourth. The last stage is the first one of
-// the next step.
+// DormandPrince1980, the pair RK5(4)7M: fifth order with an embedded fourth. The last stage is the
+// first one of the next step.
 struct DormandPrince54
 {
   static constexpr int StageCount = 7;

@@ -34,7 +34,8 @@ DistributedField::DistributedField(
 
 DistributedField::~DistributedField() = default;
 
-// Some positions of a batch. Threads as VTK is set up for: the ranks are there for the cores already.
+// Some positions of a batch. Threads as VTK is set up for: the ranks are there for the cores
+// already.
 void DistributedField::SampleLocally(
   const SampleBatch& batch, const std::vector<std::size_t>& some) const
 {
@@ -65,7 +66,8 @@ void DistributedField::SampleLocally(
   }
 }
 
-// The bid of a rank for a position: its number for a cell of its own; more than any rank's number for a ghost cell.
+// The bid of a rank for a position: its number for a cell of its own; more than any rank's number
+// for a ghost cell.
 int DistributedField::Bid(const SampleBatch& batch, std::size_t i) const
 {
   const int ranks = this->Controller->GetNumberOfProcesses();
@@ -77,7 +79,8 @@ int DistributedField::Bid(const SampleBatch& batch, std::size_t i) const
   return this->Controller->GetLocalProcessId() + (isCopy ? ranks : 0);
 }
 
-// Ranks elected for some positions of a batch that have been sampled locally; `accepted` is the highest bid that wins.
+// Ranks elected for some positions of a batch that have been sampled locally; `accepted` is the
+// highest bid that wins.
 void DistributedField::Elect(const SampleBatch& batch, const std::vector<std::size_t>& some,
   int accepted, std::vector<int>& elected) const
 {
@@ -94,8 +97,9 @@ void DistributedField::Elect(const SampleBatch& batch, const std::vector<std::si
   }
 }
 
-// The rank that answers each position; one that does not exist where no rank has found it. First the rank is asked that
-// has answered before, which its hint tells: searching in vain takes longest.
+// The rank that answers each position; one that does not exist where no rank has found it. First
+// the rank is asked that has answered before, which its hint tells: searching in vain takes
+// longest.
 std::vector<int> DistributedField::SampleAndElect(const SampleBatch& batch) const
 {
   const int ranks = this->Controller->GetNumberOfProcesses();

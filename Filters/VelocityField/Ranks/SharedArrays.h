@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of the fields of all ranks, and their values as bytes to exchange. Bytes, so that values of every type
-// arrive unchanged.
+// The arrays of the fields of all ranks, and their values as bytes to exchange. Bytes, so that
+// values of every type arrive unchanged.
 #ifndef nephoscope_SharedArrays_h
 #define nephoscope_SharedArrays_h
 
@@ -31,8 +31,8 @@ public:
   // The arrays, without values.
   void Allocate(std::size_t count, vtkPointData* output) const;
 
-  // Tuple i of every array of `sampled` to the bytes of position `places[i]`. An array that it is without is NaN
-  // there, or 0, as it is where a block is without.
+  // Tuple i of every array of `sampled` to the bytes of position `places[i]`. An array that it is
+  // without is NaN there, or 0, as it is where a block is without.
   void Pack(
     vtkPointData* sampled, const std::vector<std::size_t>& places, unsigned char* bytes) const;
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The cells of a curvilinear grid. Plain C++17.
 //
-//   1. From a known cell: invert its map; if the position is outside, go on to the neighbour on that side, across a seam
-//      or a pole too, and repeat.
-//   2. If that does not arrive: boxes tell the cells that may hold the position, and each is tried. They are made when
-//      they are needed first.
+//   1. From a known cell: invert its map; if the position is outside, go on to the neighbour on
+//      that side, across a seam or a pole too, and repeat.
+//   2. If that does not arrive: boxes tell the cells that may hold the position, and each is tried.
+//      They are made when they are needed first.
 #ifndef nephoscope_CurvilinearCells_h
 #define nephoscope_CurvilinearCells_h
 

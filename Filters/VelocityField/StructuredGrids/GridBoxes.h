@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Boxes around blocks of cells of a curvilinear grid, boxes around those, and so on: which cells may hold a position.
+// Boxes around blocks of cells of a curvilinear grid, boxes around those, and so on: which cells
+// may hold a position.
 // Plain C++17.
 #ifndef nephoscope_GridBoxes_h
 #define nephoscope_GridBoxes_h
@@ -103,7 +104,8 @@ public:
     }
   }
 
-  // Calls `found(block)` with the index of every lowest block whose box holds the position, until it returns true.
+  // Calls `found(block)` with the index of every lowest block whose box holds the position, until
+  // it returns true.
   template <typename Found>
   bool ForEachBlock(const Vector3& x, const Found& found) const
   {

@@ -10,8 +10,8 @@
 
 namespace nephoscope
 {
-// How far outside a cell a position still counts as inside, in parametric coordinates: above rounding, below
-// anything that is visible.
+// How far outside a cell a position still counts as inside, in parametric coordinates: above
+// rounding, below anything that is visible.
 constexpr double PARAMETRIC_TOLERANCE = 1e-9;
 
 struct GridCell
@@ -109,8 +109,8 @@ Vector3 InterpolateTrilinear(
   return result;
 }
 
-// Index and fraction of a coordinate that counts cells from 0 to `cells`; false if it is outside or NaN. The upper end
-// belongs to the last cell.
+// Index and fraction of a coordinate that counts cells from 0 to `cells`; false if it is outside or
+// NaN. The upper end belongs to the last cell.
 inline bool SplitCoordinate(double coordinate, int cells, int& index, double& fraction)
 {
   if (!(coordinate >= -PARAMETRIC_TOLERANCE && coordinate <= cells + PARAMETRIC_TOLERANCE))

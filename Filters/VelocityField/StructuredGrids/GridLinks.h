@@ -11,9 +11,9 @@
 
 namespace nephoscope
 {
-// A grid is closed along an axis if its last points are its first ones again (the seam of a globe, of an O-grid). An
-// end of another axis is a pole if all its points around the closed axis are one: behind it is the cell on the
-// opposite side.
+// A grid is closed along an axis if its last points are its first ones again (the seam of a globe,
+// of an O-grid). An end of another axis is a pole if all its points around the closed axis are one:
+// behind it is the cell on the opposite side.
 class GridLinks
 {
 public:
@@ -44,8 +44,8 @@ public:
     }
   }
 
-  // Goes up to `steps` cells along an axis, fewer at a boundary; true if the cell is another one. The
-  // parametric coordinates follow.
+  // Goes up to `steps` cells along an axis, fewer at a boundary; true if the cell is another one.
+  // The parametric coordinates follow.
   bool Move(GridCell& cell, std::size_t axis, int steps) const
   {
     const int cells = this->Size.Cells(axis);

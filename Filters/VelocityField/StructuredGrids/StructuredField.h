@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The velocity field of a structured grid: `Cells` finds a position, the corners of its cell give the value.
+// The velocity field of a structured grid: `Cells` finds a position, the corners of its cell give
+// the value.
 #ifndef nephoscope_StructuredField_h
 #define nephoscope_StructuredField_h
 
@@ -103,7 +104,8 @@ private:
     return std::isfinite(velocity[0] + velocity[1] + velocity[2]);
   }
 
-  // A position on a face belongs to both cells: it is inside if one of them can be used, whichever was found.
+  // A position on a face belongs to both cells: it is inside if one of them can be used, whichever
+  // was found.
   bool InterpolateTouching(GridCell& cell, Vector3& velocity) const
   {
     std::array<int, 3> side{};

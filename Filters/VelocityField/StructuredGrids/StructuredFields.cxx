@@ -19,8 +19,8 @@ namespace nephoscope
 {
 namespace
 {
-// Calls `use(keeper, values)` with the values as they are stored, where they are floats or doubles one tuple after the
-// other; else with a copy in doubles.
+// Calls `use(keeper, values)` with the values as they are stored, where they are floats or doubles
+// one tuple after the other; else with a copy in doubles.
 template <typename Use>
 auto WithReals(vtkDataArray* array, const Use& use)
 {

@@ -14,7 +14,8 @@ namespace nephoscope
 // The number of points along each axis of a structured dataset; false if it is of another kind.
 bool StructuredSize(vtkDataSet* data, int dimensions[3]);
 
-// The field of a structured dataset with at least two points along each axis and a point array of three components.
+// The field of a structured dataset with at least two points along each axis and a point array of
+// three components.
 std::unique_ptr<DataSetField> MakeStructuredField(vtkDataSet* data, vtkDataArray* velocity);
 }
 

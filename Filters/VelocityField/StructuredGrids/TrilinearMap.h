@@ -18,8 +18,8 @@ enum class InverseResult
   Failed
 };
 
-// x(r, s, t) = sum of Coefficients[e] * r^e0 s^e1 t^e2 with e = (e2 e1 e0) in binary, relative to a position that
-// the inverse is wanted of, so that large coordinates cost no digits.
+// x(r, s, t) = sum of Coefficients[e] * r^e0 s^e1 t^e2 with e = (e2 e1 e0) in binary, relative to a
+// position that the inverse is wanted of, so that large coordinates cost no digits.
 class TrilinearMap
 {
 public:

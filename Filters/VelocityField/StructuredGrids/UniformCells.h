@@ -12,7 +12,8 @@ namespace nephoscope
 class UniformCells
 {
 public:
-  // `origin`: the first point; `toIndex`: from a difference of positions to a difference of indices, by rows.
+  // `origin`: the first point; `toIndex`: from a difference of positions to a difference of
+  // indices, by rows.
   UniformCells(const GridSize& size, const Vector3& origin, const std::array<Vector3, 3>& toIndex)
     : Size_(size)
     , Links_(size)

@@ -165,7 +165,8 @@ inline std::vector<Vector3> PositionsInside(vtkDataSet* data, int count, unsigne
   std::vector<Vector3> positions;
   while (static_cast<int>(positions.size()) < count)
   {
-    // A weighted mean of the corners of a cell; of few of them on tetrahedra: on faces, edges, corners.
+    // A weighted mean of the corners of a cell; of few of them on tetrahedra: on faces, edges,
+    // corners.
     vtkNew<vtkIdList> ids;
     const auto cell =
       static_cast<vtkIdType>(unit(random) * static_cast<double>(data->GetNumberOfCells()));

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The nearest place of triangles, of quadrilaterals and of many faces, against all places of a fine grid on them.
+// The nearest place of triangles, of quadrilaterals and of many faces, against all places of a fine
+// grid on them.
 #include "CellTree.h"
 #include "NearestPlace.h"
 

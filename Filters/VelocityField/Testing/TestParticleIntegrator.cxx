@@ -102,7 +102,8 @@ TEST(DormandPrince, ErrorFollowsTheTolerance)
   }
 }
 
-// Errors of sub-steps fall with the fifth power of the sub-step: 1e5 times the accuracy takes ten times the steps.
+// Errors of sub-steps fall with the fifth power of the sub-step: 1e5 times the accuracy takes ten
+// times the steps.
 TEST(DormandPrince, StepsGrowWithTheFifthRoot)
 {
   int calls[2];

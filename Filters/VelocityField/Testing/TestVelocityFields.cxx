@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fields of datasets: exact for linear velocities on every kind of grid, whatever the hint, the number type and the
-// threads; blanked cells and missing values are outside.
+// Fields of datasets: exact for linear velocities on every kind of grid, whatever the hint, the
+// number type and the threads; blanked cells and missing values are outside.
 #include "AdvanceParticles.h"
 #include "FieldGrids.h"
 #include "VelocityFields.h"

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A C interface to velocity fields, for tests and benchmarks in Python (nephoscope_testing.fields): the C++ classes are not
-// wrapped. VTK objects come as addresses; arrays as pointers, three doubles a position.
+// A C interface to velocity fields, for tests and benchmarks in Python (nephoscope_testing.fields):
+// the C++ classes are not wrapped. VTK objects come as addresses; arrays as pointers, three doubles
+// a position.
 #include "AdvanceParticles.h"
 #include "VelocityFields.h"
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The classes that proxies of the suite make: filters, sources, readers, writers and representations. The definitions of the proxies call each vtkX
-// "vtkXWithLabels", for which LabelsInMessages.cxx makes a vtkX that says the labels of the panel.
+// The classes that proxies of the suite make: filters, sources, readers, writers and
+// representations. The definitions of the proxies call each vtkX "vtkXWithLabels", for which
+// LabelsInMessages.cxx makes a vtkX that says the labels of the panel.
 #ifndef nephoscope_ClassesOfSuite_h
 #define nephoscope_ClassesOfSuite_h
 

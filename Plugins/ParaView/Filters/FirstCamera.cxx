@@ -111,7 +111,8 @@ vtkBoundingBox BoxOfAll(vtkSMProxy* view)
   return box;
 }
 
-// Whether a camera is as Reset Camera leaves it: that keeps the direction, and says nothing of what somebody wants to see.
+// Whether a camera is as Reset Camera leaves it: that keeps the direction, and says nothing of what
+// somebody wants to see.
 bool IsReset(vtkCamera* camera, const Sphere& shown)
 {
   const Sphere seen = SeenBy(camera);
@@ -155,7 +156,8 @@ bool LooksDown(vtkCamera* camera)
   return along[2] < -0.999999 && up[1] > 0.999999;
 }
 
-// Where the eye is above the middle of the data; above all longitudes at a place in middle latitudes.
+// Where the eye is above the middle of the data; above all longitudes at a place in middle
+// latitudes.
 std::array<double, 3> EyeAbove(const Sphere& shown)
 {
   const double length = vtkMath::Norm(shown.Center.data());
@@ -251,7 +253,8 @@ private:
     view->ResetCamera(bounds);
   }
 
-  // A globe, with what belongs to it, is not looked at from above its pole unless somebody has turned the camera there.
+  // A globe, with what belongs to it, is not looked at from above its pole unless somebody has
+  // turned the camera there.
   bool Turns()
   {
     vtkCamera* camera = this->View->GetActiveCamera();

@@ -37,7 +37,8 @@ std::string PresetOf(const std::string& array, const std::string& list = "nephos
                                            : std::string();
 }
 
-// The preset of a name that is usual elsewhere too; only for data of the weather, those of Globe Grid.
+// The preset of a name that is usual elsewhere too; only for data of the weather, those of Globe
+// Grid.
 std::string WeatherPresetOf(const std::string& array, vtkPVDataInformation* data)
 {
   const bool weather = PresetOf(array).empty() &&
@@ -189,7 +190,8 @@ void DarkenOnBrightBackground(vtkSMProxy* display)
   }
 }
 
-// The array that a contour filter contours; an empty name for other sources, and before it had data.
+// The array that a contour filter contours; an empty name for other sources, and before it had
+// data.
 std::string ContouredArray(vtkSMProxy* source)
 {
   const vtkSMPropertyHelper contoured(source, "SelectInputScalars", true);
@@ -197,7 +199,8 @@ std::string ContouredArray(vtkSMProxy* source)
   return name ? name : "";
 }
 
-// A surface at one value of an array has one colour in the colours of that array, and not the best one.
+// A surface at one value of an array has one colour in the colours of that array, and not the best
+// one.
 bool IsColoredByContouredArray(vtkSMProxy* display, vtkSMProxy* source, vtkPVDataInformation* data)
 {
   const std::string contoured = ContouredArray(source);
@@ -212,7 +215,8 @@ bool HasOneValue(vtkPVDataInformation* data, const ColoredArray& array)
   return range && range[1] - range[0] <= 1e-6 * std::abs(range[1]);
 }
 
-// The light of smoke that is to be white, 0 of other data. Thin smoke sends less light than clouds: in their colours it would be grey.
+// The light of smoke that is to be white, 0 of other data. Thin smoke sends less light than clouds:
+// in their colours it would be grey.
 double LightOfSmoke(vtkPVDataInformation* data, const std::string& array)
 {
   const bool isSmoke = data->GetArrayInformation("SmokeExtinction", vtkDataObject::CELL) ||

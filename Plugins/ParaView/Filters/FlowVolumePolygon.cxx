@@ -169,7 +169,8 @@ private:
     return axis.size() == 3 && vtkMath::Norm(axis.data()) > 0.0 ? axis : Numbers{ 0.0, 0.0, 1.0 };
   }
 
-  // Past the property, which would have ParaView drop the data of the smoke that is shown until the next Apply.
+  // Past the property, which would have ParaView drop the data of the smoke that is shown until the
+  // next Apply.
   void Preview(const Numbers& center)
   {
     vtkClientServerStream stream;

@@ -14,11 +14,15 @@ class GroundLight
 {
 public:
   /**
-   * `lit`: the output of vtkSunlight for a grid of vtkGlobeGrid that covers the globe, its columns and rows evenly spaced, from west to east. It must live as long as this object.
+   * `lit`: the output of vtkSunlight for a grid of vtkGlobeGrid that covers the globe, its columns
+   * and rows evenly spaced, from west to east. It must live as long as this object.
    */
   explicit GroundLight(vtkStructuredGrid* lit);
 
-  /** Irradiance at the lowest level, bilinear in longitude and latitude (radians); 1 is that of a surface that faces the sun. */
+  /**
+   * Irradiance at the lowest level, bilinear in longitude and latitude (radians); 1 is that of a
+   * surface that faces the sun.
+   */
   double At(double longitude, double latitude) const;
 
 private:

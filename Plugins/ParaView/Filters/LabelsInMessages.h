@@ -8,8 +8,9 @@
 
 namespace nephoscope
 {
-// From now on every filter, reader, writer and representation of the suite that a proxy makes says the labels of its properties in place of
-// their names in C++. Objects that are made in Python keep these. Called where the plugin is loaded: client, server and ranks.
+// From now on every filter, reader, writer and representation of the suite that a proxy makes says
+// the labels of its properties in place of their names in C++. Objects that are made in Python keep
+// these. Called where the plugin is loaded: client, server and ranks.
 VTKNEPHOSCOPEPARAVIEWFILTERS_EXPORT void SayLabelsInMessages();
 }
 

@@ -112,7 +112,8 @@ bool IsPartOfWord(char c)
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// Whether what begins there ends with a word; names of files and classes in the head of a message begin with a capital too.
+// Whether what begins there ends with a word; names of files and classes in the head of a message
+// begin with a capital too.
 bool IsWhole(const std::string& text, std::size_t begin, std::size_t end)
 {
   return (begin == 0 || !IsPartOfWord(text[begin - 1])) &&

@@ -8,7 +8,8 @@
 
 namespace nephoscope
 {
-// The text with the names of properties, which the definitions of proxies of this class tell, replaced by their labels.
+// The text with the names of properties, which the definitions of proxies of this class tell,
+// replaced by their labels.
 std::string InWordsOfPanel(const std::string& text, const std::string& className);
 }
 

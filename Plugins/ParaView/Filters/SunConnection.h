@@ -9,7 +9,8 @@ class vtkSMProxy;
 namespace nephoscope
 {
 /**
- * Call it for a new proxy. A new Sun becomes the input Sun of all that have none, and a new Sunlight filter or example without one gets the Sun that was made last.
+ * Call it for a new proxy. A new Sun becomes the input Sun of all that have none, and a new
+ * Sunlight filter or example without one gets the Sun that was made last.
  * The connection is an ordinary input: it is in state files, and can be undone.
  */
 void ConnectToSun(vtkSMProxy* proxy);

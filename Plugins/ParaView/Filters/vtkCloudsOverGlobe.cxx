@@ -55,7 +55,8 @@ constexpr double white = 0.6; // the light that the preset Nephoscope Sunlight s
 constexpr double night = 0.01;
 constexpr double gamma = 2.2; // of a display
 
-// The colour of a point of the Earth in the irradiance there. The bytes of the picture are those of a display.
+// The colour of a point of the Earth in the irradiance there. The bytes of the picture are those of
+// a display.
 void AddColour(
   vtkUnsignedCharArray* colours, vtkImageData* image, int column, int row, double irradiance)
 {

@@ -4,13 +4,15 @@
  * @class vtkCloudsOverGlobe
  * @brief the forecast that comes with Nephoscope, on a globe, in sunlight: an example to start from
  *
- *     vtkNetCDFCFReader -> vtkGlobeGrid -> vtkCloudOptics -> vtkSunlight -> port 0: vtkStructuredGrid
+ *     vtkNetCDFCFReader -> vtkGlobeGrid -> vtkCloudOptics -> vtkSunlight -> port 0:
+ *     vtkStructuredGrid
  *                                                                 |
  *                              Blue Marble -> times the light at the ground -> port 1: vtkPolyData
  *
- * Port 1 is the Earth, with colours as the point array Earth (unsigned char, RGB), not active. The files are searched in Folder, otherwise in share/nephoscope next to the library and
- * above it, otherwise in the folder that the environment variable NEPHOSCOPE_DATA names. On several processes each has its piece of the forecast; the Earth is in the
- * first one.
+ * Port 1 is the Earth, with colours as the point array Earth (unsigned char, RGB), not active. The
+ * files are searched in Folder, otherwise in share/nephoscope next to the library and above it,
+ * otherwise in the folder that the environment variable NEPHOSCOPE_DATA names. On several processes
+ * each has its piece of the forecast; the Earth is in the first one.
  */
 #ifndef vtkCloudsOverGlobe_h
 #define vtkCloudsOverGlobe_h
@@ -43,8 +45,9 @@ public:
 
   ///@{
   /**
-   * Date and time in UTC, which determine the position of the sun as in vtkSunlight. Default "2011-10-10 20:00": afternoon over the Americas. A vtkSunSource as
-   * the second input replaces it. The first input is not used: ParaView's scripts connect the active source to it.
+   * Date and time in UTC, which determine the position of the sun as in vtkSunlight. Default
+   * "2011-10-10 20:00": afternoon over the Americas. A vtkSunSource as the second input replaces
+   * it. The first input is not used: ParaView's scripts connect the active source to it.
    */
   vtkSetMacro(DateTime, std::string);
   vtkGetMacro(DateTime, std::string);

@@ -4,7 +4,8 @@
  * @class vtkEarthRepresentation
  * @brief a surface in the colours of the point array Earth, unless it is coloured by another one
  *
- * ParaView shows a scalar bar for every array chosen for colouring, even automatically; colours of a picture have none.
+ * ParaView shows a scalar bar for every array chosen for colouring, even automatically; colours of
+ * a picture have none.
  */
 #ifndef vtkEarthRepresentation_h
 #define vtkEarthRepresentation_h

@@ -133,7 +133,8 @@ int vtkPVFlowVolume::RequestData(
   return this->Superclass::RequestData(request, inputs, outputs);
 }
 
-// Other data, not another time step of the same series: the polygon of a film stays where it is. Collective.
+// Other data, not another time step of the same series: the polygon of a film stays where it is.
+// Collective.
 bool vtkPVFlowVolume::IsOtherInput()
 {
   const vtkMTimeType now = nephoscope::ChangeOfInput(this);

@@ -4,8 +4,9 @@
  * @class vtkPVFlowVolume
  * @brief vtkFlowVolume with an initial position for ParaView's panel
  *
- * The smoke is that of vtkFlowVolume. The polygon stays in fast flow until the user moves it: an update places it again if the bounds
- * of the input have changed otherwise than with the time. On several ranks FindPlace must be called on all of them, as ParaView does.
+ * The smoke is that of vtkFlowVolume. The polygon stays in fast flow until the user moves it: an
+ * update places it again if the bounds of the input have changed otherwise than with the time. On
+ * several ranks FindPlace must be called on all of them, as ParaView does.
  */
 #ifndef vtkPVFlowVolume_h
 #define vtkPVFlowVolume_h
@@ -27,24 +28,36 @@ public:
   vtkTypeMacro(vtkPVFlowVolume, vtkFlowVolume);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** Finds a position for the polygon in the current input, see vtkFlowVolumePlacement. The properties stay as they are. */
+  /**
+   * Finds a position for the polygon in the current input, see vtkFlowVolumePlacement. The
+   * properties stay as they are.
+   */
   void FindPlace();
 
   ///@{
-  /** Places the polygon again when the bounds of the input change otherwise than with the time, as long as Center, Radius and Normal are those found automatically. Default: on. */
+  /**
+   * Places the polygon again when the bounds of the input change otherwise than with the time, as
+   * long as Center, Radius and Normal are those found automatically. Default: on.
+   */
   void SetFollowData(bool follow) { this->FollowData = follow; }
   bool GetFollowData() const { return this->FollowData; }
   ///@}
 
   ///@{
-  /** The position that FindPlace found. Radius 0: none, because there are no data yet or nothing flows. */
+  /**
+   * The position that FindPlace found. Radius 0: none, because there are no data yet or nothing
+   * flows.
+   */
   vtkGetVector3Macro(PlaceCenter, double);
   vtkGetVector3Macro(PlaceNormal, double);
   vtkGetMacro(PlaceRadius, double);
   ///@}
 
   ///@{
-  /** The direction of the flow at a position to which the polygon is dragged; 0 0 0 where nothing flows. The filter is not modified. */
+  /**
+   * The direction of the flow at a position to which the polygon is dragged; 0 0 0 where nothing
+   * flows. The filter is not modified.
+   */
   void SetPreviewCenter(double x, double y, double z);
   vtkGetVector3Macro(PreviewNormal, double);
   ///@}

@@ -4,8 +4,9 @@
  * @class vtkRankMessages
  * @brief messages of several ranks, each sentence once
  *
- * The first rank shows its messages at once; the others keep theirs. Flush, which ParaView calls on all ranks, makes the first rank show those of
- * the others that it has not shown itself, with the numbers of their ranks. Sentences that differ only in numbers are the same one.
+ * The first rank shows its messages at once; the others keep theirs. Flush, which ParaView calls on
+ * all ranks, makes the first rank show those of the others that it has not shown itself, with the
+ * numbers of their ranks. Sentences that differ only in numbers are the same one.
  */
 #ifndef vtkRankMessages_h
 #define vtkRankMessages_h
@@ -29,7 +30,10 @@ public:
   /** Collective. */
   void Flush();
 
-  /** On the client: flushes after updates of a source, or pictures of a view, if the server has several ranks. */
+  /**
+   * On the client: flushes after updates of a source, or pictures of a view, if the server has
+   * several ranks.
+   */
   static void Follow(vtkSMProxy* sourceOrView);
 
 protected:

@@ -68,7 +68,8 @@ bool IsSheet(vtkPVDataInformation* data)
 
 void PrepareDisplay(vtkSMPVRepresentationProxy* display);
 
-// Waits for the first data of a source whose Apply has failed, and then gives its display the looks of a first one, if nobody else has.
+// Waits for the first data of a source whose Apply has failed, and then gives its display the looks
+// of a first one, if nobody else has.
 class FirstData
 {
 public:
@@ -180,7 +181,8 @@ void NoteColoring(vtkSMPVRepresentationProxy* display)
   display->RemoveAnnotation(hasArray ? solidColorIsChosen : arrayIsChosen);
 }
 
-// The texture multiplies the colour of the surface: in that of a colour map clouds would be blue or brown.
+// The texture multiplies the colour of the surface: in that of a colour map clouds would be blue or
+// brown.
 void WhitenCloud(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
 {
   if (!display->HasAnnotation(arrayIsChosen))
@@ -190,7 +192,8 @@ void WhitenCloud(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, 
   }
 }
 
-// Arrays keep ParaView's own colours until one of the suite's representations draws them, or a display shows what one of its filters has made.
+// Arrays keep ParaView's own colours until one of the suite's representations draws them, or a
+// display shows what one of its filters has made.
 void UsePreset(vtkSMPVRepresentationProxy* display)
 {
   const vtkSMPropertyHelper input(display, "Input", true);
@@ -211,7 +214,8 @@ void UsePreset(vtkSMPVRepresentationProxy* display)
   }
 }
 
-// What a display is coloured by. A change of any other property leaves colours that somebody has chosen.
+// What a display is coloured by. A change of any other property leaves colours that somebody has
+// chosen.
 bool IsOfColoring(const std::string& property)
 {
   return property == "ColorArrayName" || property == "LookupTable" ||

@@ -4,8 +4,9 @@
  * @class vtkSMFlowVolumeInitializationHelper
  * @brief puts the generating polygon of a new Flow Volume into the flow
  *
- * ParaView's domains know the bounds of the data but not the flow inside. This class requests a position from the server
- * before the panel appears, and sets Center, Radius and Normal, unless a script has set them.
+ * ParaView's domains know the bounds of the data but not the flow inside. This class requests a
+ * position from the server before the panel appears, and sets Center, Radius and Normal, unless a
+ * script has set them.
  */
 #ifndef vtkSMFlowVolumeInitializationHelper_h
 #define vtkSMFlowVolumeInitializationHelper_h

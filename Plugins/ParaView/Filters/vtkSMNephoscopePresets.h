@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSMNephoscopePresets
- * @brief   puts the project's presets in ParaView's list, and makes them the first choice for fields of the weather
+ * @brief   puts the project's presets in ParaView's list, and makes them the first choice for
+ *          fields of the weather
  *
- * The presets are those of Plugins/Presets. Load() runs when the plugin is loaded: it adds those that are not in the
- * list yet, and tells ParaView's settings, with the lowest priority, which array begins with which preset; settings
- * that a user has saved for an array take precedence.
+ * The presets are those of Plugins/Presets. Load() runs when the plugin is loaded: it adds those
+ * that are not in the list yet, and tells ParaView's settings, with the lowest priority, which
+ * array begins with which preset; settings that a user has saved for an array take precedence.
  */
 #ifndef vtkSMNephoscopePresets_h
 #define vtkSMNephoscopePresets_h

@@ -4,10 +4,13 @@
  * @class vtkSunRepresentation
  * @brief the light of a render view comes from its sun
  *
- * While it is visible, a light from the sun of a vtkSunSource replaces the lights that move with the camera, including ParaView's light kit; lights fixed in the scene
- * are kept. A faint light from the eye keeps the night from being black. Haze without its own sun uses this one. Several visible suns all shine.
+ * While it is visible, a light from the sun of a vtkSunSource replaces the lights that move with
+ * the camera, including ParaView's light kit; lights fixed in the scene are kept. A faint light
+ * from the eye keeps the night from being black. Haze without its own sun uses this one. Several
+ * visible suns all shine.
  *
- * With a date and time, the scene is a globe if visible data say so in the field data of vtkGlobeGrid, as for vtkSunlight.
+ * With a date and time, the scene is a globe if visible data say so in the field data of
+ * vtkGlobeGrid, as for vtkSunlight.
  */
 #ifndef vtkSunRepresentation_h
 #define vtkSunRepresentation_h

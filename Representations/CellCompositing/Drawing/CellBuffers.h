@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The GPU data that every method of drawing cells needs: points with their scalars, scalars of cells, and the transfer functions.
+ * The GPU data that every method of drawing cells needs: points with their scalars, scalars of
+ * cells, and the transfer functions.
  */
 #ifndef nephoscope_CellBuffers_h
 #define nephoscope_CellBuffers_h
@@ -32,15 +33,24 @@ public:
   /** Only the values of colour, of opacity or of both, of a geometry that was uploaded before. */
   std::string UploadValues(
     vtkOpenGLRenderWindow* window, const CellGeometry& geometry, bool ofColor, bool ofOpacity);
-  /** Light that depends on the direction of view (CameraLight.h), or none; `width` is that of the range of scalars. */
+  /**
+   * Light that depends on the direction of view (CameraLight.h), or none; `width` is that of the
+   * range of scalars.
+   */
   std::string UploadCameraLight(
     vtkOpenGLRenderWindow* window, const CameraLight& light, double width);
-  /** One table of either kind, or one per layer; `tables` has the number of its tables for each tetrahedron, or is empty. */
+  /**
+   * One table of either kind, or one per layer; `tables` has the number of its tables for each
+   * tetrahedron, or is empty.
+   */
   std::string UploadTransferFunctions(vtkOpenGLRenderWindow* window,
     const std::vector<TransferFunctionTable>& colorAndOpacity,
     const std::vector<TransferFunctionTable>& opacity, const std::vector<std::int32_t>& tables);
 
-  /** Where the transfer functions have few nodes, SMALL_TABLE and SMALL_OPACITY_TABLE of RaySegments.glsl; otherwise they are not defined. */
+  /**
+   * Where the transfer functions have few nodes, SMALL_TABLE and SMALL_OPACITY_TABLE of
+   * RaySegments.glsl; otherwise they are not defined.
+   */
   std::string SmallTableDefinition() const;
   void SetSmallTable(vtkShaderProgram* program) const;
 
@@ -49,7 +59,9 @@ public:
   bool HasLayers() const { return this->UseLayers; }
   /** Shader constants that say which of the buffers are used. */
   std::string ShaderConstants() const;
-  /** Binds the textures that the program reads and sets their units; `instance` as in InstanceName. */
+  /**
+   * Binds the textures that the program reads and sets their units; `instance` as in InstanceName.
+   */
   void Activate(vtkShaderProgram* program, int instance = -1);
   /** At most so many of them are read. */
   int CountTextures() const;

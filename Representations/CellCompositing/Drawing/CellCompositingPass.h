@@ -3,8 +3,8 @@
 /**
  * Draws cells into a float image and lays it over the scene.
  *
- * Everything the shaders read is in buffer textures: geometry and transfer functions are uploaded when they change, the
- * drawing order of projected cells whenever the view does.
+ * Everything the shaders read is in buffer textures: geometry and transfer functions are uploaded
+ * when they change, the drawing order of projected cells whenever the view does.
  */
 #ifndef nephoscope_CellCompositingPass_h
 #define nephoscope_CellCompositingPass_h
@@ -40,7 +40,10 @@ class CellCompositingPass
 {
 public:
   // Each returns an empty string, or what went wrong.
-  /** With `neighbors` the cells are drawn ray by ray, otherwise one by one in the order of UploadOrder. */
+  /**
+   * With `neighbors` the cells are drawn ray by ray, otherwise one by one in the order of
+   * UploadOrder.
+   */
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
     const TetrahedronNeighbors* neighbors);
   /** Only the values of colour, of opacity or of both; the geometry is that of the last upload. */
@@ -82,7 +85,10 @@ public:
     const CellDrawingOptions* Options;
   };
   ///@{
-  /** The same of several media at once, which may overlap in space; they have been uploaded to be drawn ray by ray. */
+  /**
+   * The same of several media at once, which may overlap in space; they have been uploaded to be
+   * drawn ray by ray.
+   */
   std::string DrawMedia(vtkOpenGLRenderWindow* window, const std::vector<Medium>& media);
   std::string DrawMediaPeel(vtkOpenGLRenderWindow* window, const std::vector<Medium>& media,
     const VolumePeel::Request& request);

@@ -25,7 +25,8 @@ namespace nephoscope
 {
 namespace
 {
-// Where uniforms are worth a copy (RayCells.frag.glsl); a GPU would keep the copies in registers that it has too few of.
+// Where uniforms are worth a copy (RayCells.frag.glsl); a GPU would keep the copies in registers
+// that it has too few of.
 bool IsSoftwareOpenGL()
 {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));

@@ -67,7 +67,10 @@ struct CellDrawing
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
   void SetUniforms(vtkShaderProgram* program) const;
   ///@{
-  /** The same in two parts, where the shader has several media: what they have in common, and one of them. */
+  /**
+   * The same in two parts, where the shader has several media: what they have in common, and one of
+   * them.
+   */
   void SetCommonUniforms(vtkShaderProgram* program) const;
   void SetOwnUniforms(vtkShaderProgram* program, int instance) const;
   ///@}

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The data that the mapper keeps between renders: geometry, transfer functions, surfaces, neighbours for rays or an order for projection.
+ * The data that the mapper keeps between renders: geometry, transfer functions, surfaces,
+ * neighbours for rays or an order for projection.
  *
- * Each stage is made again only when its sources changed: the geometry with the mesh, its values with the arrays, the tables with the
- * volume property. A counter that grows with each change numbers the versions of all stages, so that a stage is out of date if a source
- * has a greater number, and the drawing pass knows what to upload.
+ * Each stage is made again only when its sources changed: the geometry with the mesh, its values
+ * with the arrays, the tables with the volume property. A counter that grows with each change
+ * numbers the versions of all stages, so that a stage is out of date if a source has a greater
+ * number, and the drawing pass knows what to upload.
  */
 #ifndef nephoscope_CellScene_h
 #define nephoscope_CellScene_h
@@ -59,21 +61,34 @@ public:
   };
 
   /**
-   * Returns true when the geometry was made again; `error` then gives the reason, or is empty. When stopped, there is
-   * no geometry until the next time. If only values of the selected arrays have changed, they are copied and nothing else is rebuilt.
+   * Returns true when the geometry was made again; `error` then gives the reason, or is empty. When
+   * stopped, there is no geometry until the next time. If only values of the selected arrays have
+   * changed, they are copied and nothing else is rebuilt.
    */
   bool UpdateGeometry(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity, CellGeometry::Form form, std::string& error,
     vtkDataArray* layers = nullptr, const Progress& progress = {});
   void UpdateTransferFunction(vtkVolumeProperty* property);
-  /** The same with layers of their own properties, and contours of an array (none: the coloured one). */
+  /**
+   * The same with layers of their own properties, and contours of an array (none: the coloured
+   * one).
+   */
   void UpdateTransferFunction(vtkVolumeProperty* property, const ContourSettings& settings,
     vtkDataSet* data, const ScalarSelection& contoured);
-  /** Every visible part of the medium has one and the same colour; contours, and layers of another colour, are not looked at. */
+  /**
+   * Every visible part of the medium has one and the same colour; contours, and layers of another
+   * colour, are not looked at.
+   */
   bool HasOneColor() const { return this->ColorIsOne; }
-  /** How the cells will be drawn. Rays traverse a mesh through its neighbours: false if stopped before these are known. */
+  /**
+   * How the cells will be drawn. Rays traverse a mesh through its neighbours: false if stopped
+   * before these are known.
+   */
   bool UpdateMethod(Method method, const Progress& progress = {});
-  /** For projection; `eye` is homogeneous and relative to the geometry's centre. False when stopped: the order must not be drawn. */
+  /**
+   * For projection; `eye` is homogeneous and relative to the geometry's centre. False when stopped:
+   * the order must not be drawn.
+   */
   bool UpdateOrder(ProjectionOrder::Kind kind, const Vector4& eye, const Progress& progress = {});
   /** Lists the drawn cells; call it after the three others. */
   void UpdateDrawn();
@@ -83,7 +98,10 @@ public:
   void Clear();
 
   const CellGeometry& GetGeometry() const { return this->Geometry; }
-  /** Call this before reading the geometry between renders. False if the input no longer has the cells that the geometry reads from it. */
+  /**
+   * Call this before reading the geometry between renders. False if the input no longer has the
+   * cells that the geometry reads from it.
+   */
   bool RefreshGeometry(vtkDataSet* data) { return this->Geometry.Tetrahedra.Refresh(data); }
   /** Colour and opacity; colour alone where the geometry has opacity scalars. */
   const TransferFunctionTable& GetTransferFunction() const { return this->Transfers[0]; }
@@ -93,12 +111,18 @@ public:
   /** The two above, and after them those of layers with a property of their own. */
   const std::vector<TransferFunctionTable>& GetTransferFunctions() const { return this->Transfers; }
   const std::vector<TransferFunctionTable>& GetOpacityFunctions() const { return this->Opacities; }
-  /** With this scale of the extinction, what is seen at all is opaque. The squares of optical depths are still floats. */
+  /**
+   * With this scale of the extinction, what is seen at all is opaque. The squares of optical depths
+   * are still floats.
+   */
   double GetOpaqueExtinctionScale() const;
   ///@}
   const ContourScene& GetContours() const { return this->Contours; }
   const PolygonScene& GetPolygons() const { return this->Polygons; }
-  /** Call it first: it selects what is drawn besides 3-D cells, which determines how these may be drawn. */
+  /**
+   * Call it first: it selects what is drawn besides 3-D cells, which determines how these may be
+   * drawn.
+   */
   void ReadPolygons(vtkDataSet* data, const ContourSettings& settings)
   {
     this->Polygons.Read(data, settings);
@@ -112,15 +136,18 @@ public:
     this->Current.Polygons =
       this->Polygons.Version == before ? this->Current.Polygons : ++this->LastVersion;
   }
-  /** Number of the tables that each tetrahedron reads; empty where that does not depend on the tetrahedron. */
+  /**
+   * Number of the tables that each tetrahedron reads; empty where that does not depend on the
+   * tetrahedron.
+   */
   const std::vector<std::int32_t>& GetTablesOfTetrahedra() const
   {
     return this->TablesOfTetrahedra;
   }
   bool ContoursMakeLayers() const { return this->LayersOfContours; }
   /**
-   * Frees the lists of neighbours after the upload, unless there are polygons, which need them. RenewUploaded() lets UpdateMethod make the
-   * lists again for another upload.
+   * Frees the lists of neighbours after the upload, unless there are polygons, which need them.
+   * RenewUploaded() lets UpdateMethod make the lists again for another upload.
    */
   void ReleaseUploaded();
   void RenewUploaded() { this->Current.Topology = this->Released ? 0 : this->Current.Topology; }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells that can be seen: those that the transfer function and the surfaces in them do not leave clear.
+// The cells that can be seen: those that the transfer function and the surfaces in them do not
+// leave clear.
 #include "CellScene.h"
 
 #include "ClearDistances.h"
@@ -126,7 +127,8 @@ void CellScene::FindVisibleHexahedra()
     }
     visible += count;
   });
-  // A hexahedron with a field of its own counts as many tetrahedra as hexahedra are divided into on average.
+  // A hexahedron with a field of its own counts as many tetrahedra as hexahedra are divided into on
+  // average.
   this->NumberOfVisible = geometry.DividesHexahedra || n == 0
     ? visible.load()
     : visible * geometry.TetrahedraOfHexahedra / static_cast<std::int64_t>(n);
@@ -197,7 +199,8 @@ std::pair<float, float> CellScene::ContourRange(
   return { *range.first, *range.second };
 }
 
-// No surface, within or in a face, and for the scalars from low to high no opacity in any of the layers that the tetrahedron may touch.
+// No surface, within or in a face, and for the scalars from low to high no opacity in any of the
+// layers that the tetrahedron may touch.
 bool CellScene::IsTransparent(
   std::size_t number, const VertexNumbersOf& vertices, float low, float high) const
 {

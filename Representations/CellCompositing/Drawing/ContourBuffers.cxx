@@ -78,7 +78,8 @@ void ContourBuffers::Activate(const CellDrawing& drawing, vtkShaderProgram* prog
 void ContourBuffers::SetLights(const CellDrawing& drawing, vtkShaderProgram* program) const
 {
   program->SetUniform4f("contourShading", drawing.Options.ContourShading.data());
-  // Gradients go by the inverse transpose; vtkMatrix3x3 is transposed on its way to OpenGL, so that the inverse is given.
+  // Gradients go by the inverse transpose; vtkMatrix3x3 is transposed on its way to OpenGL, so that
+  // the inverse is given.
   vtkNew<vtkMatrix4x4> inverse;
   vtkMatrix4x4::Invert(drawing.View.ModelToView, inverse);
   vtkNew<vtkMatrix3x3> gradients;

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Contour surfaces inside the cells, ready for the shaders: the values in ascending order with colour and layers, the scalars they are
- * contours of, and the gradients for smooth normals.
+ * Contour surfaces inside the cells, ready for the shaders: the values in ascending order with
+ * colour and layers, the scalars they are contours of, and the gradients for smooth normals.
  *
- * A point lies above a value when its scalar is at least the value. All is made again only when its source changed.
+ * A point lies above a value when its scalar is at least the value. All is made again only when its
+ * source changed.
  */
 #ifndef nephoscope_ContourScene_h
 #define nephoscope_ContourScene_h
@@ -45,8 +46,9 @@ public:
   };
 
   /**
-   * `selection` names the array that is contoured, of points; without an array it is the coloured one. `tables[k]` is the number of the
-   * transfer tables of layer k, the one with k values below. To be called after the geometry was built.
+   * `selection` names the array that is contoured, of points; without an array it is the coloured
+   * one. `tables[k]` is the number of the transfer tables of layer k, the one with k values below.
+   * To be called after the geometry was built.
    */
   void Update(const CellGeometry& geometry, std::int64_t geometryVersion, vtkDataSet* data,
     const ScalarSelection& selection, const ContourSettings& settings, vtkVolumeProperty* property,

@@ -31,7 +31,10 @@ struct ContourSettings
   bool SmoothNormals = true;
   bool Lighting = true;
 
-  /** The unit distance of a new vtkVolumeProperty; a layer with this value uses the volume's unit distance. */
+  /**
+   * The unit distance of a new vtkVolumeProperty; a layer with this value uses the volume's unit
+   * distance.
+   */
   static constexpr double DefaultUnitDistance = 1.0;
   std::map<int, vtkSmartPointer<vtkVolumeProperty>> LayerProperties;
   std::string LayerArrayName;

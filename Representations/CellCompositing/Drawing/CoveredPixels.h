@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Which pixels of a picture a box can cover: what lies outside is neither cleared nor drawn nor laid over the scene. */
+/**
+ * Which pixels of a picture a box can cover: what lies outside is neither cleared nor drawn nor
+ * laid over the scene.
+ */
 #ifndef nephoscope_CoveredPixels_h
 #define nephoscope_CoveredPixels_h
 

@@ -41,7 +41,8 @@ void FaceSlices::Sort(const std::array<double, 4>& toDepth, double error)
     }
     this->Ranges[i] = { static_cast<float>(low - error), static_cast<float>(high + error) };
   });
-  // Every slice is a pass over the picture at least, which is worth some thousands of faces; few large ones cost by the pixel.
+  // Every slice is a pass over the picture at least, which is worth some thousands of faces; few
+  // large ones cost by the pixel.
   constexpr std::size_t mostSlices = 256, facesPerSlice = 8192, fewestPerSlice = 64,
                         slicesOfFew = 16;
   const std::size_t mostListed = std::max<std::size_t>(4 * this->Corners.size(), 1 << 16);
@@ -87,7 +88,8 @@ void FaceSlices::Sort(const std::array<double, 4>& toDepth, double error)
   });
 }
 
-// Where slices end but the last one, ascending: with as many faces in each, by the middle of some thousand of them.
+// Where slices end but the last one, ascending: with as many faces in each, by the middle of some
+// thousand of them.
 FaceSlices::Ends FaceSlices::FindEnds(std::size_t slices) const
 {
   constexpr std::size_t samples = 4096;

@@ -3,8 +3,9 @@
 /**
  * Boundary faces sorted into slices of the view's depth.
  *
- * Where a ray enters the mesh a hundred times, the next of a hundred faces has to be found a hundred times. Slice by slice from front to
- * back, only the faces that reach into the slice are tested, so that all layers together cost about as much as all faces.
+ * Where a ray enters the mesh a hundred times, the next of a hundred faces has to be found a
+ * hundred times. Slice by slice from front to back, only the faces that reach into the slice are
+ * tested, so that all layers together cost about as much as all faces.
  */
 #ifndef nephoscope_FaceSlices_h
 #define nephoscope_FaceSlices_h
@@ -33,8 +34,8 @@ public:
     const CellGeometry& geometry, const std::vector<BoundaryFace>& faces, std::size_t count);
 
   /**
-   * The depth of a point is toDepth . (x, y, z, 1), to within `error`. There are as many slices as the faces allow: those that reach
-   * through several are listed in each.
+   * The depth of a point is toDepth . (x, y, z, 1), to within `error`. There are as many slices as
+   * the faces allow: those that reach through several are listed in each.
    */
   void Sort(const std::array<double, 4>& toDepth, double error);
 

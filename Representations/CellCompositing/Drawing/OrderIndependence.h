@@ -3,9 +3,10 @@
 /**
  * Whether a medium looks the same in whatever order its cells are composited.
  *
- * Cells of one source colour C with transmittances T1, T2, ... laid over each other give C (1 - T1 T2 ...) and alpha 1 - T1 T2 ...,
- * and a product has no order (MaxCrawfisBecker1993, section 6: smoke). It does not matter either whether the cells overlap in
- * space: extinctions add up, and transmittances multiply.
+ * Cells of one source colour C with transmittances T1, T2, ... laid over each other give C (1 - T1
+ * T2 ...) and alpha 1 - T1 T2 ..., and a product has no order (MaxCrawfisBecker1993, section 6:
+ * smoke). It does not matter either whether the cells overlap in space: extinctions add up, and
+ * transmittances multiply.
  */
 #ifndef nephoscope_OrderIndependence_h
 #define nephoscope_OrderIndependence_h
@@ -25,8 +26,8 @@ class OneColor
 {
 public:
   /**
-   * Colours that differ by less count as one: a sixteenth of an 8-bit step. VTK's colour spaces leave as much between a colour and
-   * itself taken there and back.
+   * Colours that differ by less count as one: a sixteenth of an 8-bit step. VTK's colour spaces
+   * leave as much between a colour and itself taken there and back.
    */
   static constexpr float Tolerance = 1.0f / 4096;
 
@@ -50,8 +51,8 @@ private:
 };
 
 /**
- * Whether a table of colours, or of colours and opacities, has one colour for all scalars from low to high that are not fully
- * transparent. A table of colours alone is opaque throughout.
+ * Whether a table of colours, or of colours and opacities, has one colour for all scalars from low
+ * to high that are not fully transparent. A table of colours alone is opaque throughout.
  */
 inline bool IsOfOneColor(const TransferFunctionTable& table, float low, float high)
 {

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The polygons of the input that lie in faces of its cells, ready for the shaders: for each tetrahedron the surfaces in its faces, for each
- * surface its colour and its normals. All is made again only when its source changed.
+ * The polygons of the input that lie in faces of its cells, ready for the shaders: for each
+ * tetrahedron the surfaces in its faces, for each surface its colour and its normals. All is made
+ * again only when its source changed.
  */
 #ifndef nephoscope_PolygonScene_h
 #define nephoscope_PolygonScene_h
@@ -37,7 +38,10 @@ public:
       Normals; ///< at the corners, ascending by their number in the tetrahedron; model coordinates
   };
 
-  /** Finds the polygons selected by the settings; call it before geometry and drawing method are chosen. */
+  /**
+   * Finds the polygons selected by the settings; call it before geometry and drawing method are
+   * chosen.
+   */
   void Read(vtkDataSet* data, const ContourSettings& settings);
   /** To be called after the geometry was built. `scalars` are those of colour. */
   void Update(const CellGeometry& geometry, std::int64_t geometryVersion,
@@ -53,12 +57,18 @@ public:
   }
   const CellPolygons& GetPolygons() const { return this->Polygons; }
 
-  /** Per tetrahedron and face, named by the vertex opposite: number of its surface, counted from 1; 0: none. */
+  /**
+   * Per tetrahedron and face, named by the vertex opposite: number of its surface, counted from 1;
+   * 0: none.
+   */
   std::vector<std::array<std::int32_t, 4>> OfTetrahedra;
   std::vector<Surface> Surfaces;
   std::int64_t Version = 0; ///< grows whenever one of the two changed
 
-  /** The two for rays: vertices ascend by their merged numbers, and both tetrahedra of a face have its surface. */
+  /**
+   * The two for rays: vertices ascend by their merged numbers, and both tetrahedra of a face have
+   * its surface.
+   */
   void ListForRays(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
     std::vector<std::array<std::int32_t, 4>>& ofTetrahedra, std::vector<Surface>& surfaces) const;
 

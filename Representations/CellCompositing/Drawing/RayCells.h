@@ -1,13 +1,16 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws cells ray by ray: each pixel walks through the mesh from tetrahedron to tetrahedron, front to back.
+ * Draws cells ray by ray: each pixel walks through the mesh from tetrahedron to tetrahedron, front
+ * to back.
  *
- * The order of the tetrahedra is then exact by construction, whatever the mesh: cycles, holes, separate parts. First the
- * boundary triangles through which rays enter the mesh are drawn, the nearest per pixel kept; then every pixel walks from there
- * until its ray leaves the mesh. Where rays enter again (holes, other parts), the next nearest triangles are drawn, and so on until
- * none is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh. The cost of a layer is proportional to the
- * pixels that have it, because a depth test ends the others. Triangles behind opaque objects are never drawn.
+ * The order of the tetrahedra is then exact by construction, whatever the mesh: cycles, holes,
+ * separate parts. First the boundary triangles through which rays enter the mesh are drawn, the
+ * nearest per pixel kept; then every pixel walks from there until its ray leaves the mesh. Where
+ * rays enter again (holes, other parts), the next nearest triangles are drawn, and so on until none
+ * is left: as depth peeling goes through layers, but a layer is a whole stretch of mesh. The cost
+ * of a layer is proportional to the pixels that have it, because a depth test ends the others.
+ * Triangles behind opaque objects are never drawn.
  */
 #ifndef nephoscope_RayCells_h
 #define nephoscope_RayCells_h
@@ -49,7 +52,10 @@ public:
   /** A structured grid needs no neighbours. */
   std::string UploadGeometry(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
     const TetrahedronNeighbors& neighbors);
-  /** Where rays enter, the box of a grid's visible cells, and the range of scalars in which nothing is visible. */
+  /**
+   * Where rays enter, the box of a grid's visible cells, and the range of scalars in which nothing
+   * is visible.
+   */
   std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces,
     const CellGeometry& geometry, const CellBox& box, const std::array<float, 2>& clearRange);
   /** For an evenly spaced grid: which of its cells can be seen. */
@@ -70,7 +76,10 @@ public:
   /** Draws into the bound framebuffer, which holds a transparent image. */
   std::string Draw(const CellDrawing& drawing);
 
-  /** Passes over the picture that the last drawing took: as often as one of the rays entered the mesh, at least. */
+  /**
+   * Passes over the picture that the last drawing took: as often as one of the rays entered the
+   * mesh, at least.
+   */
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
   /** Greatest number of textures that one walk reads for itself. */
   int CountTextures() const;

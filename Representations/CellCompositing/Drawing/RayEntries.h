@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where the rays of pixels enter the mesh: the boundary triangles through which they do, the nearest per pixel behind the last ones.
+ * Where the rays of pixels enter the mesh: the boundary triangles through which they do, the
+ * nearest per pixel behind the last ones.
  *
  * After some layers, the triangles are drawn in slices of depth (FaceSlices.h).
  */
@@ -35,7 +36,10 @@ struct SceneView;
 class RayEntries
 {
 public:
-  /** The number of the entries that hold the last ones of the unsliced layers, while slices are drawn. */
+  /**
+   * The number of the entries that hold the last ones of the unsliced layers, while slices are
+   * drawn.
+   */
   static constexpr int Passed = 1;
 
   RayEntries();

@@ -3,8 +3,9 @@
 /**
  * The rays of a view's pixels, in model coordinates relative to the centre of the data.
  *
- * The ray at p = (x, y) in device coordinates goes through a point and in a direction that are both linear in p. The point lies at the
- * depth of the data's centre, not at the eye: near the data, floats resolve the distance between a ray and a vertex.
+ * The ray at p = (x, y) in device coordinates goes through a point and in a direction that are both
+ * linear in p. The point lies at the depth of the data's centre, not at the eye: near the data,
+ * floats resolve the distance between a ray and a vertex.
  */
 #ifndef nephoscope_RayGeometry_h
 #define nephoscope_RayGeometry_h

@@ -3,10 +3,11 @@
 /**
  * Draws several media ray by ray as one: where they overlap in space, their extinctions add.
  *
- * Each pixel's ray walks through all meshes in step. It enters every mesh through the nearest boundary face, as RayCells has it, and a
- * round ends where the ray enters one of the meshes again: there the next face of that mesh is taken, while the walks through the others
- * begin anew at their last faces and come to the place without integrating. A round therefore costs little where meshes are convex or
- * their gaps few: there is one round more than re-entries.
+ * Each pixel's ray walks through all meshes in step. It enters every mesh through the nearest
+ * boundary face, as RayCells has it, and a round ends where the ray enters one of the meshes again:
+ * there the next face of that mesh is taken, while the walks through the others begin anew at their
+ * last faces and come to the place without integrating. A round therefore costs little where meshes
+ * are convex or their gaps few: there is one round more than re-entries.
  */
 #ifndef nephoscope_RayMedia_h
 #define nephoscope_RayMedia_h
@@ -47,7 +48,10 @@ public:
   /** Whether the shaders of the window's OpenGL may read as many textures as the media need. */
   static bool HasEnoughTextures(const std::vector<Medium>& media);
 
-  /** Draws into the bound framebuffer, which holds a transparent image. Returns an empty string, or what went wrong. */
+  /**
+   * Draws into the bound framebuffer, which holds a transparent image. Returns an empty string, or
+   * what went wrong.
+   */
   std::string Draw(const std::vector<Medium>& media);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -61,7 +65,8 @@ private:
   void DrawPlan(const std::vector<Medium>& media, bool first);
   void DrawRound(const std::vector<Medium>& media);
 
-  // Numbers of RayCells' entries: those that count in this round, the next ones, and those of the next round.
+  // Numbers of RayCells' entries: those that count in this round, the next ones, and those of the
+  // next round.
   int Last = 0, Next = 1, Then = 2;
   vtkNew<vtkTextureObject> Plans[2]; // of this round and of the one before
   int Plan = 0;

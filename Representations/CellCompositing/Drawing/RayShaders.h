@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The fragment shaders of rays, put together from their parts; constants are still to be defined (SpecializedShader). */
+/**
+ * The fragment shaders of rays, put together from their parts; constants are still to be defined
+ * (SpecializedShader).
+ */
 #ifndef nephoscope_RayShaders_h
 #define nephoscope_RayShaders_h
 

@@ -131,7 +131,8 @@ bool RayVoxels::CanDraw(const CellDrawing& drawing) const
 {
   const bool hasOpacity = drawing.Buffers.HasOpacityScalars(),
              opacityIsKnown = !hasOpacity || (this->HasOpacity && drawing.Options.Trilinear);
-  // Light for the camera changes colours alone: neither where there is something to see, nor surfaces.
+  // Light for the camera changes colours alone: neither where there is something to see, nor
+  // surfaces.
   const bool lightIsKnown =
     !drawing.Options.CameraLight || (hasOpacity && opacityIsKnown && !drawing.Contours.IsUsed());
   return this->Lattice.Found && opacityIsKnown && lightIsKnown &&

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws an evenly spaced grid ray by ray: the trilinear field of its cells or their tetrahedra. Where a ray is, is a matter of arithmetic.
+ * Draws an evenly spaced grid ray by ray: the trilinear field of its cells or their tetrahedra.
+ * Where a ray is, is a matter of arithmetic.
  *
- * A ray skips invisible cells, by the distance to the next visible one (ClearDistances.h). Polygons, layers, light that depends on the
- * direction of view and, in tetrahedra, contour surfaces and an opacity array are left to RayCells.
+ * A ray skips invisible cells, by the distance to the next visible one (ClearDistances.h).
+ * Polygons, layers, light that depends on the direction of view and, in tetrahedra, contour
+ * surfaces and an opacity array are left to RayCells.
  */
 #ifndef nephoscope_RayVoxels_h
 #define nephoscope_RayVoxels_h

@@ -28,8 +28,8 @@ struct SceneLight
   std::array<float, 3> Direction; ///< away from the light
   std::array<float, 3> Position;
   std::array<float, 3> Attenuation; ///< constant, linear, quadratic
-  std::array<float, 3>
-    Cone; ///< 1 if positional, -1 if VTK's sole headlight; cosine of the cone angle, -2 without a cone; exponent
+  std::array<float, 3> Cone; ///< 1 if positional, -1 if VTK's sole headlight; cosine of the cone
+                             ///< angle, -2 without a cone; exponent
 };
 
 inline SceneLight DescribeLight(vtkLight* light, vtkMatrix4x4* worldToView)

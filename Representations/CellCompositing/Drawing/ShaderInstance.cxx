@@ -17,7 +17,10 @@ bool IsNamePart(char c)
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-/** Names, numbers and single characters, one after the other; a line of the preprocessor begins with '#'. Comments and blanks are tokens too. */
+/**
+ * Names, numbers and single characters, one after the other; a line of the preprocessor begins with
+ * '#'. Comments and blanks are tokens too.
+ */
 std::vector<std::string> TokensOf(const std::string& text)
 {
   std::vector<std::string> tokens;
@@ -53,7 +56,10 @@ bool IsBlank(const std::string& token)
   return std::isspace(static_cast<unsigned char>(token[0])) || token.compare(0, 2, "//") == 0;
 }
 
-/** What matters of the tokens to tell what is declared: all but blanks and what a preprocessor's line holds behind a macro's name. */
+/**
+ * What matters of the tokens to tell what is declared: all but blanks and what a preprocessor's
+ * line holds behind a macro's name.
+ */
 class Declarations
 {
 public:
@@ -89,7 +95,8 @@ private:
     return i;
   }
 
-  // A name outside of all brackets is declared where a type or a comma is before it, and one of = ; , [ ( behind.
+  // A name outside of all brackets is declared where a type or a comma is before it, and one of = ;
+  // , [ ( behind.
   void Read(const std::string& token)
   {
     const bool ends =

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The text of shaders: options become constants, so that disabled options cost nothing, and shared parts are inserted
- * where the shader names them. The window's shader cache keeps the variants.
+ * The text of shaders: options become constants, so that disabled options cost nothing, and shared
+ * parts are inserted where the shader names them. The window's shader cache keeps the variants.
  */
 #ifndef nephoscope_ShaderText_h
 #define nephoscope_ShaderText_h

@@ -18,7 +18,10 @@ struct MeshFace
   std::array<std::int32_t, 3> Points; ///< counterclockwise seen from outside the first tetrahedron
   std::int32_t First;                 ///< a tetrahedron that has this face
   std::int32_t Second;                ///< the one on the other side, or -1
-  /** The same places as points of the second: others where blocks repeat their points, whose values may jump there. */
+  /**
+   * The same places as points of the second: others where blocks repeat their points, whose values
+   * may jump there.
+   */
   std::array<std::int32_t, 3> SecondPoints;
 };
 

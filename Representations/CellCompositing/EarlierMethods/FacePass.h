@@ -30,7 +30,10 @@ public:
   FacePass();
   ~FacePass();
 
-  /** Draws over the bound framebuffer, whose size is that of `opaqueDepth`. Returns an empty string, or what went wrong. */
+  /**
+   * Draws over the bound framebuffer, whose size is that of `opaqueDepth`. Returns an empty string,
+   * or what went wrong.
+   */
   std::string Draw(vtkOpenGLRenderWindow* window, const CellScene& scene, const CellView& view,
     const CellDrawingOptions& options, bool sorted, vtkTextureObject* opaqueDepth);
 

@@ -154,7 +154,10 @@ public:
     }
   }
 
-  /** The cross-section of a tetrahedron with the near plane, which is where rays enter what is left of it. */
+  /**
+   * The cross-section of a tetrahedron with the near plane, which is where rays enter what is left
+   * of it.
+   */
   void AddCap(std::int32_t tetrahedron)
   {
     const Tetrahedron& t = this->Geometry.Tetrahedra[static_cast<std::size_t>(tetrahedron)];
@@ -260,7 +263,10 @@ private:
     return static_cast<std::int32_t>(this->Self.Points.size() - 1);
   }
 
-  /** The part of a face beyond the near plane: 0, 3 or 4 corners, with the points of its first and of its second tetrahedron. */
+  /**
+   * The part of a face beyond the near plane: 0, 3 or 4 corners, with the points of its first and
+   * of its second tetrahedron.
+   */
   int Clip(
     const MeshFace& face, std::array<std::int32_t, 4>& polygon, std::array<std::int32_t, 4>& other)
   {
@@ -286,8 +292,9 @@ private:
     return corners;
   }
 
-  // A face that turns its outside to the eye is a front face of its first tetrahedron. The sign comes from the numbers that the
-  // pixels are found with, so that at each of them the marks of a tetrahedron's faces cancel.
+  // A face that turns its outside to the eye is a front face of its first tetrahedron. The sign
+  // comes from the numbers that the pixels are found with, so that at each of them the marks of a
+  // tetrahedron's faces cancel.
   void AddTriangle(std::array<std::int32_t, 3> points, std::array<std::int32_t, 3> ofSecond,
     std::int32_t first, std::int32_t second, float distance)
   {

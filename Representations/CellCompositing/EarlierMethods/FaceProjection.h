@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The faces of the visible tetrahedra on the screen, from back to front by their centroids, for FaceSweep.
+ * The faces of the visible tetrahedra on the screen, from back to front by their centroids, for
+ * FaceSweep.
  *
- * Faces are cut at the near plane, and the cross-sections of the tetrahedra that reach through it are added, so that what
- * the near plane leaves is a closed volume again.
+ * Faces are cut at the near plane, and the cross-sections of the tetrahedra that reach through it
+ * are added, so that what the near plane leaves is a closed volume again.
  */
 #ifndef nephoscope_FaceProjection_h
 #define nephoscope_FaceProjection_h
@@ -76,11 +77,17 @@ struct ScreenFace
   /** The same places with the values of the other side, where these may be others. */
   std::array<std::int32_t, 3> OtherPoints;
   bool OtherIsInFront; ///< which side that is
-  /** What the face adds to the count of crossings: 1 where a ray leaves the volume, -1 where it enters, seen from the eye. */
+  /**
+   * What the face adds to the count of crossings: 1 where a ray leaves the volume, -1 where it
+   * enters, seen from the eye.
+   */
   int Mark() const { return (this->InFront >= 0) - (this->Behind >= 0); }
 };
 
-/** Pixel coordinates in steps of 1/1024 are whole numbers: which pixels a face covers is decided without rounding. */
+/**
+ * Pixel coordinates in steps of 1/1024 are whole numbers: which pixels a face covers is decided
+ * without rounding.
+ */
 constexpr int stepsPerPixel = 1024;
 std::array<std::int64_t, 2> SnappedPlace(const FaceView::Place& place);
 

@@ -18,7 +18,10 @@ namespace
 {
 constexpr int tileSize = 32;
 
-/** Colour with a fourth channel of 1, whose composited value is alpha; and extinction per world length. */
+/**
+ * Colour with a fourth channel of 1, whose composited value is alpha; and extinction per world
+ * length.
+ */
 struct Medium
 {
   std::array<double, 4> Color = { { 0, 0, 0, 1 } };
@@ -107,8 +110,8 @@ public:
   }
 
   /**
-   * Returns z, and sets the scalars of either side, where the ray through the pixel's centre meets the face's plane, but never outside
-   * the face.
+   * Returns z, and sets the scalars of either side, where the ray through the pixel's centre meets
+   * the face's plane, but never outside the face.
    */
   double Interpolate(int x, int y, Scalars& scalars, Scalars& ofOthers) const
   {
@@ -165,7 +168,10 @@ private:
   std::array<std::int64_t, 3> Bias;
 };
 
-/** The faces that touch each tile, in the order of drawing: tile t has Faces[First[t]] to Faces[First[t + 1] - 1]. */
+/**
+ * The faces that touch each tile, in the order of drawing: tile t has Faces[First[t]] to
+ * Faces[First[t + 1] - 1].
+ */
 struct TileLists
 {
   int Columns, Rows;
@@ -265,7 +271,8 @@ public:
   {
     this->ForEachPixel([&](int x, int y, const Pixel& pixel) {
       float* out = rgba.data() + 4 * (static_cast<std::size_t>(y) * this->View.Width + x);
-      // Nothing is cut off on the way, but taking back what was not there may leave less than nothing.
+      // Nothing is cut off on the way, but taking back what was not there may leave less than
+      // nothing.
       for (std::size_t c = 0; c < 4; ++c)
       {
         out[c] = static_cast<float>(std::max(pixel.Light[c], 0.0));
@@ -313,8 +320,8 @@ private:
     return medium;
   }
 
-  // The heart of the method. Where the medium jumps at a face, the segment behind ends with the one value and the next begins with the
-  // other.
+  // The heart of the method. Where the medium jumps at a face, the segment behind ends with the one
+  // value and the next begins with the other.
   void Advance(Pixel& pixel, const ScreenFace& face, double z, const Scalars& behind,
     const Scalars& inFront) const
   {
@@ -332,7 +339,8 @@ private:
 
   void Composite(Pixel& pixel, double z, const Medium& now) const
   {
-    // Only what lies in front of the opaque geometry; where a segment is cut, its end there is interpolated.
+    // Only what lies in front of the opaque geometry; where a segment is cut, its end there is
+    // interpolated.
     const double zNow = std::min(z, pixel.Opaque), zLast = std::min(pixel.Z, pixel.Opaque);
     if (zNow == zLast)
     {

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The faces method (Lucas1992; MaxCrawfisBecker1993 section 2), in software: faces, not cells, are drawn in the order of their
- * centroids, and a buffer of the size of the picture holds for each pixel the depth, the colour and the extinction of the face
- * drawn last. Each face composites the segment between itself and that one (FaceSegment.h), and takes its place.
+ * The faces method (Lucas1992; MaxCrawfisBecker1993 section 2), in software: faces, not cells, are
+ * drawn in the order of their centroids, and a buffer of the size of the picture holds for each
+ * pixel the depth, the colour and the extinction of the face drawn last. Each face composites the
+ * segment between itself and that one (FaceSegment.h), and takes its place.
  *
- * A face reads and writes its pixels' buffer before the next face may, which the blending of OpenGL 3.2 cannot do; hence software.
- * The picture is divided into tiles, which are drawn in parallel, each face in the same order in each: the result does not
- * depend on the number of threads.
+ * A face reads and writes its pixels' buffer before the next face may, which the blending of OpenGL
+ * 3.2 cannot do; hence software.
+ * The picture is divided into tiles, which are drawn in parallel, each face in the same order in
+ * each: the result does not depend on the number of threads.
  *
  *   points ─► screen ─► faces cut at the near plane ─► sorted ─► one list per tile ─► tiles
  *             └────────────── FaceProjection ───────────────┘    └───── FaceSweep ──────┘

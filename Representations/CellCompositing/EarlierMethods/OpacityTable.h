@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Table of 1 - exp(-u), in which the opacity of an optical depth u may be looked up (SteinBeckerMax1994). */
+/**
+ * Table of 1 - exp(-u), in which the opacity of an optical depth u may be looked up
+ * (SteinBeckerMax1994).
+ */
 #ifndef nephoscope_OpacityTable_h
 #define nephoscope_OpacityTable_h
 
@@ -10,7 +13,10 @@
 namespace nephoscope
 {
 
-/** Default size of the table: its error is (16 / 1023)^2 / 8 = 3.1e-5 per cell, and 1.1e-7 beyond its end. */
+/**
+ * Default size of the table: its error is (16 / 1023)^2 / 8 = 3.1e-5 per cell, and 1.1e-7 beyond
+ * its end.
+ */
 constexpr int opacityTableEntries = 1024;
 constexpr double opacityTableEnd = 16;
 

@@ -95,7 +95,8 @@ std::string ProjectedCells::Draw(const CellDrawing& drawing)
   program->SetUniform2f("halfViewport", halfViewport);
   program->SetUniform4f("eyeVC", ToFloat(drawing.View.EyeView).data());
 
-  // Back faces in front of the near plane or behind the far plane still end segments inside: clamp, do not clip.
+  // Back faces in front of the near plane or behind the far plane still end segments inside: clamp,
+  // do not clip.
   const bool clamped = glIsEnabled(GL_DEPTH_CLAMP) == GL_TRUE;
   glEnable(GL_DEPTH_CLAMP);
   drawing.Window->GetState()->vtkglBlendFuncSeparate(

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws tetrahedra one after another, in a given order, each over the pixels that it covers: its back faces with the exact integral of
- * each pixel's ray, or the triangles of TrianglePass.h. Neither surfaces between the cells nor parts between peeled surfaces.
+ * Draws tetrahedra one after another, in a given order, each over the pixels that it covers: its
+ * back faces with the exact integral of each pixel's ray, or the triangles of TrianglePass.h.
+ * Neither surfaces between the cells nor parts between peeled surfaces.
  */
 #ifndef nephoscope_ProjectedCells_h
 #define nephoscope_ProjectedCells_h

@@ -62,8 +62,8 @@ public:
   }
 
 private:
-  // A face hides its neighbour when the eye is on the same side of it as the tetrahedron itself. Where the eye is in the plane, to within
-  // rounding, neither hides the other.
+  // A face hides its neighbour when the eye is on the same side of it as the tetrahedron itself.
+  // Where the eye is in the plane, to within rounding, neither hides the other.
   std::uint8_t FlagsOf(
     const CellGeometry& geometry, std::size_t tetrahedron, const Vector4& eye, double error) const
   {
@@ -87,7 +87,10 @@ private:
   std::vector<std::uint8_t> Flags; // per tetrahedron, bit k: what is across face k is behind it
 };
 
-/** Strongly connected components of the relations, each after all that are behind it (Tarjan1972, without recursion). */
+/**
+ * Strongly connected components of the relations, each after all that are behind it (Tarjan1972,
+ * without recursion).
+ */
 class TopologicalSort
 {
 public:
@@ -98,7 +101,9 @@ public:
   {
   }
 
-  /** Starts from the tetrahedra in their order, and puts them in the new one. False when stopped. */
+  /**
+   * Starts from the tetrahedra in their order, and puts them in the new one. False when stopped.
+   */
   bool Run(const Progress& progress)
   {
     const std::vector<std::int32_t> starts(std::move(this->Order.Tetrahedra));

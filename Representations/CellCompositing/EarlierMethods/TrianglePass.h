@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Parts of CellCompositingPass for drawing tetrahedra as fans of triangles (ShirleyTuchman1990) instead of back faces:
- * other shaders, a table of opacities, and a test for tetrahedra that cannot be drawn in this way.
+ * Parts of CellCompositingPass for drawing tetrahedra as fans of triangles (ShirleyTuchman1990)
+ * instead of back faces: other shaders, a table of opacities, and a test for tetrahedra that cannot
+ * be drawn in this way.
  */
 #ifndef nephoscope_TrianglePass_h
 #define nephoscope_TrianglePass_h
@@ -31,7 +32,10 @@ const char* TriangleFragmentShader();
 /** The shader with the marks filled in that are those of the triangles alone. */
 std::string WithTriangleShaders(const char* shader);
 
-/** A vertex nearer to the plane of the eye than this counts as not projectable: a tenth of the near plane's distance. */
+/**
+ * A vertex nearer to the plane of the eye than this counts as not projectable: a tenth of the near
+ * plane's distance.
+ */
 double SmallestEyeDepth(const double eyeView[4], vtkMatrix4x4* viewToDevice);
 
 /** How many of the drawn tetrahedra have such a vertex: they are left out. */

@@ -41,8 +41,9 @@ inline bool HasExtent(const CellGeometry& geometry, const BoundaryFace& face)
 }
 
 /**
- * Makes the first three vertices run counterclockwise as seen from outside. The first one stays. Returns false if `inside` is so near their plane
- * that the side on which it lies is a matter of rounding.
+ * Makes the first three vertices run counterclockwise as seen from outside. The first one stays.
+ * Returns false if `inside` is so near their plane that the side on which it lies is a matter of
+ * rounding.
  */
 inline bool TurnOutwards(const CellGeometry& geometry, BoundaryFace& face, const Vector3& inside)
 {
@@ -100,7 +101,10 @@ struct CellBox
   }
 };
 
-/** The boundary of a box of cells of a structured grid: of each face the odd vertex, the two others, and the vertex inside. */
+/**
+ * The boundary of a box of cells of a structured grid: of each face the odd vertex, the two others,
+ * and the vertex inside.
+ */
 inline std::vector<BoundaryFace> ChessboardBoundary(
   const CellGeometry& geometry, const CellBox& box)
 {

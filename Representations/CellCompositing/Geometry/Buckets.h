@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Items thrown into buckets by several threads: counted, then filled. Within a bucket they lie in no particular order; who wants
- * one sorts them, and the buckets can be sorted in parallel.
+ * Items thrown into buckets by several threads: counted, then filled. Within a bucket they lie in
+ * no particular order; who wants one sorts them, and the buckets can be sorted in parallel.
  */
 #ifndef nephoscope_Buckets_h
 #define nephoscope_Buckets_h

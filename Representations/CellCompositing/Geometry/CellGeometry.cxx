@@ -124,7 +124,8 @@ bool CellGeometry::CopyPoints(vtkDataSet* data, const Progress& progress)
     const double middle = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
     this->Center[axis] = std::isfinite(middle) ? middle : 0.0;
   }
-  // What is left of the pole of a globe by the rounding of sines and cosines is not a place of its own.
+  // What is left of the pole of a globe by the rounding of sines and cosines is not a place of its
+  // own.
   double noise = 0;
   for (const double bound : bounds)
   {

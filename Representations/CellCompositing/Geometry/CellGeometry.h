@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * What the mapper draws: the tetrahedra of a dataset's 3-D cells, with a scalar per point or per tetrahedron, and where
- * colour and opacity come from different arrays, a second one.
+ * What the mapper draws: the tetrahedra of a dataset's 3-D cells, with a scalar per point or per
+ * tetrahedron, and where colour and opacity come from different arrays, a second one.
  *
- * Built once per input and array, in three passes: count the tetrahedra of each cell, sum the counts, fill. All
- * passes run in parallel and their result does not depend on the number of threads.
+ * Built once per input and array, in three passes: count the tetrahedra of each cell, sum the
+ * counts, fill. All passes run in parallel and their result does not depend on the number of
+ * threads.
  */
 #ifndef nephoscope_CellGeometry_h
 #define nephoscope_CellGeometry_h
@@ -45,21 +46,27 @@ public:
   {
     Tetrahedra, ///< always listed
     Grid,       ///< of structured data only the grid is kept, which implies the tetrahedra
-    WholeCells, ///< the same, and hexahedra of others are kept where they are divided as those of a grid
-    GridOrWarped, ///< the same, and cells of others are kept as hexahedra with their own field where they can be if tetrahedra of one overlap
-    Hexahedra ///< the same, and cells of others are kept as hexahedra with their own field wherever they can be
+    WholeCells, ///< the same, and hexahedra of others are kept where they are divided as those of a
+                ///< grid
+    GridOrWarped, ///< the same, and cells of others are kept as hexahedra with their own field
+                  ///< where they can be if tetrahedra of one overlap
+    Hexahedra ///< the same, and cells of others are kept as hexahedra with their own field wherever
+              ///< they can be
   };
 
   /**
-   * `opacity` selects the array that the opacity function reads; none: `scalars` too. `layers`, if given, numbers the cells' layers.
-   * Returns an empty string, or why nothing can be drawn. Empty except for Stopped, if it was told to stop.
+   * `opacity` selects the array that the opacity function reads; none: `scalars` too. `layers`, if
+   * given, numbers the cells' layers.
+   * Returns an empty string, or why nothing can be drawn. Empty except for Stopped, if it was told
+   * to stop.
    */
   std::string Build(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity = {}, vtkDataArray* layers = nullptr,
     const Progress& progress = {}, Form form = Form::Tetrahedra);
   /**
-   * Other values of colour, opacity or both for the tetrahedra that are there: of the same mesh, from arrays on points or cells. Returns
-   * false, and must be built again, where values are missing now or were then (which cells are drawn depends on them), and for grids.
+   * Other values of colour, opacity or both for the tetrahedra that are there: of the same mesh,
+   * from arrays on points or cells. Returns false, and must be built again, where values are
+   * missing now or were then (which cells are drawn depends on them), and for grids.
    */
   bool UpdateValues(vtkDataSet* data, const ScalarSelection& scalars,
     const ScalarSelection& opacity, bool ofColor, bool ofOpacity);
@@ -76,14 +83,16 @@ public:
   std::vector<Point> Points;
   TetrahedronList Tetrahedra;
   std::vector<Hexahedron> Hexahedra; ///< in place of the list of tetrahedra unless it is empty
-  /** Each hexahedron stands for its five tetrahedra (ChessboardPart), not for a field of its own. */
+  /**
+   * Each hexahedron stands for its five tetrahedra (ChessboardPart), not for a field of its own.
+   */
   bool DividesHexahedra = false;
   std::int64_t TetrahedraOfHexahedra = 0; ///< into how many these could be divided
   GridLattice Lattice;                    ///< of the grid, where it is evenly spaced
   ChessboardGrid Grid; ///< takes the place of the list of tetrahedra unless it is empty
   std::vector<std::uint8_t> HiddenCells; ///< of the grid, 255: not drawn; empty: all are drawn
-  std::vector<float>
-    CellScalars; ///< one per tetrahedron (hexahedron, cell of the grid), normalised; empty for point scalars
+  std::vector<float> CellScalars;        ///< one per tetrahedron (hexahedron, cell of the grid),
+                                         ///< normalised; empty for point scalars
   double Center[3] = { 0, 0, 0 };
   double ScalarRange[2] = { 0, 1 }; ///< what 0 and 1 of the normalised scalars stand for
   bool SingleScalar = false;        ///< all values are that of 0
@@ -94,10 +103,13 @@ public:
     OpacityScalars; ///< one per point, or per tetrahedron if OpacityOnCells; normalised
   double OpacityRange[2] = { 0, 1 };
 
-  /** The cell of the dataset for each tetrahedron or hexahedron; empty where number i is that of cell i, and for a grid. */
+  /**
+   * The cell of the dataset for each tetrahedron or hexahedron; empty where number i is that of
+   * cell i, and for a grid.
+   */
   std::vector<std::int32_t> Cells;
-  std::vector<std::int32_t>
-    Layers; ///< of each tetrahedron's cell, or of each cell of the grid; empty without a layer array
+  std::vector<std::int32_t> Layers; ///< of each tetrahedron's cell, or of each cell of the grid;
+                                    ///< empty without a layer array
 
   // What was left out, for the mapper to report.
   std::int64_t NumberOfUnsupportedCells = 0; ///< not 3-D, or of a kind that cannot be decomposed
@@ -112,7 +124,10 @@ public:
   std::int64_t NumberOfFlatTetrahedra = 0; ///< zero volume: nothing to draw, no error
 
   ///@{
-  /** Tetrahedra numbered on from 0, listed or of the grid, hidden ones among them: how many, which points, and whether it is hidden. */
+  /**
+   * Tetrahedra numbered on from 0, listed or of the grid, hidden ones among them: how many, which
+   * points, and whether it is hidden.
+   */
   std::int64_t CountTetrahedra() const;
   std::array<std::int64_t, 4> PointNumbers(std::int64_t tetrahedron) const;
   int TetrahedraPerHexahedron() const { return this->DividesHexahedra ? 5 : 6; }
@@ -123,7 +138,10 @@ public:
   }
   bool IsHidden(std::int64_t tetrahedron) const;
   ///@}
-  /** While it is built: how hexahedra are divided (ChessboardDivision.h). Null: by their coordinates. */
+  /**
+   * While it is built: how hexahedra are divided (ChessboardDivision.h). Null: by their
+   * coordinates.
+   */
   vtkUnsignedCharArray* GetDivisions() const { return this->Divisions; }
   /** Vertices relative to the centre. */
   std::array<Vector3, 4> Vertices(std::size_t tetrahedron) const;

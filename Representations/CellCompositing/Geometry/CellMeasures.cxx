@@ -74,7 +74,10 @@ MediumMeasures::Part PartOf(
   return part;
 }
 
-/** Calls visit(point) for the points of the cells that are shown; of data without hidden ones for all points, which takes less time. */
+/**
+ * Calls visit(point) for the points of the cells that are shown; of data without hidden ones for
+ * all points, which takes less time.
+ */
 template <typename Visit>
 void ForEachPlace(vtkDataSet* data, const Visit& visit)
 {
@@ -99,7 +102,10 @@ void ForEachPlace(vtkDataSet* data, const Visit& visit)
     }
   }
 }
-/** Calls visit(cell, tetrahedron) for about `most` of the cells that are shown. Returns for how many each of them stands. */
+/**
+ * Calls visit(cell, tetrahedron) for about `most` of the cells that are shown. Returns for how many
+ * each of them stands.
+ */
 template <typename Visit>
 double ForChosenTetrahedra(vtkDataSet* data, vtkIdType most, const Visit& visit)
 {

@@ -22,7 +22,10 @@ VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds BoundsOfCells(
 VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumBounds RobustBoundsOfCells(
   vtkDataSet* data, const MediumReduction& over = {});
 
-/** Measures of cells. Scalars may be null; vectors count by their magnitude. The opacity may be empty. */
+/**
+ * Measures of cells. Scalars may be null; vectors count by their magnitude. The opacity may be
+ * empty.
+ */
 struct CellMedium
 {
   vtkDataArray* Scalars = nullptr;
@@ -30,11 +33,17 @@ struct CellMedium
   std::function<double(double)> Opacity = {};
 };
 
-/** Measures a piece, which may be null, as far as it lies in the bounds of all pieces. Integrals come from about 1e5 cells. */
+/**
+ * Measures a piece, which may be null, as far as it lies in the bounds of all pieces. Integrals
+ * come from about 1e5 cells.
+ */
 VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT MediumMeasures MeasureCells(
   vtkDataSet* data, const CellMedium& medium, const MediumBounds& common);
 
-/** Whether a cell that is shown has a volume; looks at every cell until it finds one. `data` may be null. */
+/**
+ * Whether a cell that is shown has a volume; looks at every cell until it finds one. `data` may be
+ * null.
+ */
 VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT bool HoldsVolume(vtkDataSet* data);
 
 } // namespace nephoscope

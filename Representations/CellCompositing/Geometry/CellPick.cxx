@@ -19,7 +19,10 @@ struct Crossing
   Vector4 Weights, Slopes; // barycentric coordinates: Weights + parameter * Slopes
 };
 
-/** Tells of most tetrahedra that the ray misses them: all vertices lie on one side of a plane through the ray. */
+/**
+ * Tells of most tetrahedra that the ray misses them: all vertices lie on one side of a plane
+ * through the ray.
+ */
 class SidesOfRay
 {
 public:
@@ -209,7 +212,10 @@ std::vector<double> LinearPieces(
   return pieces;
 }
 
-/** Lessens the optical depth that is left by that of [begin, end]; returns where none is left, or -1. */
+/**
+ * Lessens the optical depth that is left by that of [begin, end]; returns where none is left, or
+ * -1.
+ */
 double Walk(const Values& values, const TransferFunctionTable& table, double scale, double begin,
   double end, double& left)
 {
@@ -234,7 +240,9 @@ double Walk(const Values& values, const TransferFunctionTable& table, double sca
   return -1;
 }
 
-/** The surfaces between two parameters, in the order of the ray: where, and their optical depths. */
+/**
+ * The surfaces between two parameters, in the order of the ray: where, and their optical depths.
+ */
 std::vector<std::pair<double, double>> FindSurfaces(
   const Values& values, const PickMedium& medium, double begin, double end)
 {

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Where a ray through cells and surfaces in them has lost a given part of its light: what a user who points at a medium sees there. */
+/**
+ * Where a ray through cells and surfaces in them has lost a given part of its light: what a user
+ * who points at a medium sees there.
+ */
 #ifndef nephoscope_CellPick_h
 #define nephoscope_CellPick_h
 
@@ -34,7 +37,10 @@ struct PickMedium
   const std::vector<TransferFunctionTable>& Tables;    ///< that the opacity is read from
   const std::vector<std::int32_t>& TablesOfTetrahedra; ///< empty: the first one for all
   double ExtinctionScale;                              ///< per length of the ray
-  /** The normalised scalar of a cell that is not linear in its tetrahedra, at a parameter of the ray. Empty: it is. */
+  /**
+   * The normalised scalar of a cell that is not linear in its tetrahedra, at a parameter of the
+   * ray. Empty: it is.
+   */
   std::function<double(std::int64_t cell, double parameter)> Scalar = {};
   /** The same for the opacity, if it has point scalars of its own. */
   std::function<double(std::int64_t cell, double parameter)> OpacityScalar = {};

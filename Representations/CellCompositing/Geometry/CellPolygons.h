@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The polygons of an unstructured grid, as triangles: surfaces that lie in faces of its 3-D cells, such as vtkContourCellSplitter adds to
- * the pieces of cells.
+ * The polygons of an unstructured grid, as triangles: surfaces that lie in faces of its 3-D cells,
+ * such as vtkContourCellSplitter adds to the pieces of cells.
  *
- * A polygon is divided as the faces of cells are, as a fan from its least vertex (CellDecomposition.h), so that its triangles are faces of
- * tetrahedra. Each belongs to one tetrahedron that has it as a face, the larger one: the other may be too flat to be drawn. Nothing lies between this tetrahedron and the
- * surface. Drawing the surface directly before or after the tetrahedron is therefore correct in any correct order of tetrahedra.
+ * A polygon is divided as the faces of cells are, as a fan from its least vertex
+ * (CellDecomposition.h), so that its triangles are faces of tetrahedra. Each belongs to one
+ * tetrahedron that has it as a face, the larger one: the other may be too flat to be drawn. Nothing
+ * lies between this tetrahedron and the surface. Drawing the surface directly before or after the
+ * tetrahedron is therefore correct in any correct order of tetrahedra.
  */
 #ifndef nephoscope_CellPolygons_h
 #define nephoscope_CellPolygons_h
@@ -53,11 +55,17 @@ struct CellPolygons
     std::int32_t Opposite; ///< the vertex (0 to 3) that is not in the face
     std::int32_t Triangle;
   };
-  /** Faces match if their points have the same positions. Where several triangles lie at one face, the first counts. */
+  /**
+   * Faces match if their points have the same positions. Where several triangles lie at one face,
+   * the first counts.
+   */
   std::vector<Face> Match(const CellGeometry& geometry, const std::vector<std::int32_t>& places);
   std::int64_t NumberApart = 0; ///< polygons of which Match found a part in no face
 
-  /** Normals at each triangle's corners: mean over the triangles of one contour that meet there, with any length and sign. */
+  /**
+   * Normals at each triangle's corners: mean over the triangles of one contour that meet there,
+   * with any length and sign.
+   */
   std::vector<std::array<Vector3, 3>> Normals(
     const CellGeometry& geometry, const std::vector<std::int32_t>& places, bool smooth) const;
 };

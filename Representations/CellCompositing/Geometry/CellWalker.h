@@ -43,7 +43,9 @@ public:
   std::atomic<std::int64_t> Misnumbered{ 0 }, Folded{ 0 }, First{ -1 };
 };
 
-/** Decides of each cell whether it can be drawn, and gives its tetrahedra. One object per thread. */
+/**
+ * Decides of each cell whether it can be drawn, and gives its tetrahedra. One object per thread.
+ */
 class CellWalker
 {
 public:
@@ -91,7 +93,10 @@ public:
   /** Off: all cells are known to be in order, from an earlier walk. */
   void SetFindsShapes(bool finds) { this->Source.SetFindsShapes(finds); }
 
-  /** Whether the tetrahedra of the cell that was walked last overlap by more than a thousandth of it. */
+  /**
+   * Whether the tetrahedra of the cell that was walked last overlap by more than a thousandth of
+   * it.
+   */
   bool IsWarped() const { return this->Source.IsWarped(); }
   /** Whether no point occurs twice in the cell that was looked at last. */
   bool HasDistinctPoints() const

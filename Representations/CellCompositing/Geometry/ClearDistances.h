@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The distance of each cell of a grid from the next visible one: the number of cells that a ray may skip. */
+/**
+ * The distance of each cell of a grid from the next visible one: the number of cells that a ray may
+ * skip.
+ */
 #ifndef nephoscope_ClearDistances_h
 #define nephoscope_ClearDistances_h
 
@@ -15,7 +18,8 @@ namespace nephoscope
 {
 
 /**
- * In moves of a chess king, up to 255; 0: the cell itself can be seen. `visible` has a number other than 0 for cells that can be seen.
+ * In moves of a chess king, up to 255; 0: the cell itself can be seen. `visible` has a number other
+ * than 0 for cells that can be seen.
  * Two sweeps, forwards and backwards, each with the half of the 26 neighbours that it has passed.
  */
 inline std::vector<std::uint8_t> FindClearDistances(

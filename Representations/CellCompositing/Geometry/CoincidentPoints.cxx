@@ -49,7 +49,8 @@ double DistanceBetween(const CellGeometry::Point& p, const CellGeometry::Point& 
     { std::abs(double(p.X) - q.X), std::abs(double(p.Y) - q.Y), std::abs(double(p.Z) - q.Z) });
 }
 
-// Float trigonometry is off by 1.5 units at 360 degrees, and every coordinate by half a unit for being moved to the centre.
+// Float trigonometry is off by 1.5 units at 360 degrees, and every coordinate by half a unit for
+// being moved to the centre.
 constexpr double roundingUnits = 4.0 * std::numeric_limits<float>::epsilon();
 
 using Pair = std::pair<std::int32_t, std::int32_t>;

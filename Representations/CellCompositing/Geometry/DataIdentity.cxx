@@ -159,7 +159,8 @@ bool MeshIdentity::Changes(vtkDataSet* data)
   return !comparable || !this->Comparable || this->Fingerprint != last;
 }
 
-// True where the times are not those of the last time. Without parts there is no fingerprint to compare with.
+// True where the times are not those of the last time. Without parts there is no fingerprint to
+// compare with.
 bool MeshIdentity::Replace(std::vector<Stamp> stamps)
 {
   if (stamps == this->Stamps)

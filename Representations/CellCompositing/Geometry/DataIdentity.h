@@ -3,9 +3,10 @@
 /**
  * Whether a dataset still has the mesh, and an array the values, of the last time.
  *
- * Modification times answer first. But a filter that runs again passes on a new dataset even if only one of its arrays has
- * changed, and code that writes into an array may modify only the dataset's time. Where a time has moved, a fingerprint of the
- * contents decides, which takes a hundredth of the time in which the mesh would be made again.
+ * Modification times answer first. But a filter that runs again passes on a new dataset even if
+ * only one of its arrays has changed, and code that writes into an array may modify only the
+ * dataset's time. Where a time has moved, a fingerprint of the contents decides, which takes a
+ * hundredth of the time in which the mesh would be made again.
  */
 #ifndef nephoscope_DataIdentity_h
 #define nephoscope_DataIdentity_h
@@ -25,8 +26,8 @@ namespace nephoscope
 {
 
 /**
- * Points, cells and ghost flags of an unstructured grid. Faces of polyhedra are not compared: every change of their dataset counts as a
- * change of the mesh, and so does every change of other data.
+ * Points, cells and ghost flags of an unstructured grid. Faces of polyhedra are not compared: every
+ * change of their dataset counts as a change of the mesh, and so does every change of other data.
  */
 class MeshIdentity
 {
@@ -62,7 +63,10 @@ private:
   bool Known = false;
 };
 
-/** Fingerprint of an array's values, without its name; 0 for none. The same for any number of threads. */
+/**
+ * Fingerprint of an array's values, without its name; 0 for none. The same for any number of
+ * threads.
+ */
 std::uint64_t FingerprintOf(vtkDataArray* array);
 
 } // namespace nephoscope

@@ -15,7 +15,10 @@ namespace nephoscope
 {
 namespace
 {
-/** The tetrahedron, among those that touch the eye, with the clearest start for rays; the nearest of equals, then the lowest number. */
+/**
+ * The tetrahedron, among those that touch the eye, with the clearest start for rays; the nearest of
+ * equals, then the lowest number.
+ */
 struct Candidate
 {
   std::int64_t Number = -1;
@@ -124,7 +127,10 @@ EyeTetrahedron Describe(const CellGeometry& geometry, const TetrahedronNeighbors
   return result;
 }
 
-/** How far a position is inside of a hexahedron with bilinear faces, in fractions of its width; negative: outside. */
+/**
+ * How far a position is inside of a hexahedron with bilinear faces, in fractions of its width;
+ * negative: outside.
+ */
 double DepthInHexahedron(const std::array<Vector3, 8>& p, const Vector3& x)
 {
   constexpr double outside = -1e30;
@@ -237,8 +243,8 @@ private:
   double Deepest = -1e-3;
 };
 
-constexpr double inFace =
-  1e-7; // barycentric coordinate: the start keeps more distance from the faces of its own tetrahedron
+constexpr double inFace = 1e-7; // barycentric coordinate: the start keeps more distance from the
+                                // faces of its own tetrahedron
 
 bool Holds(const CellGeometry& geometry, std::int64_t number, const Vector4& start, double margin)
 {
@@ -251,7 +257,10 @@ bool Holds(const CellGeometry& geometry, std::int64_t number, const Vector4& sta
   return std::all_of(q.begin(), q.end(), [](double x) { return x >= -inFace; });
 }
 
-/** Where hexahedra meet: what they have in common is not divided the same way, so that parts may overlap by the bend of a face. */
+/**
+ * Where hexahedra meet: what they have in common is not divided the same way, so that parts may
+ * overlap by the bend of a face.
+ */
 bool IsBeside(const CellGeometry& geometry, const TetrahedronNeighbors& neighbors,
   std::int64_t part, std::int64_t other)
 {
@@ -267,7 +276,10 @@ bool IsBeside(const CellGeometry& geometry, const TetrahedronNeighbors& neighbor
   });
 }
 
-/** The other tetrahedra that hold the start; of those that meet in a face, an edge or a vertex there, one. */
+/**
+ * The other tetrahedra that hold the start; of those that meet in a face, an edge or a vertex
+ * there, one.
+ */
 std::vector<EyeTetrahedron> FindOverlapping(const CellGeometry& geometry,
   const TetrahedronNeighbors& neighbors, std::int64_t own, const Vector3& position)
 {

@@ -72,7 +72,10 @@ double RoundingOf(const std::array<Vector3, 5>& points)
   return largest * std::numeric_limits<float>::epsilon();
 }
 
-/** Whether both tetrahedra of a face, the second one perhaps None, lie on the same side of it. Either of them gives the same answer. */
+/**
+ * Whether both tetrahedra of a face, the second one perhaps None, lie on the same side of it.
+ * Either of them gives the same answer.
+ */
 bool IsFolded(const CellGeometry& geometry, const std::vector<std::int32_t>& places,
   std::size_t tetrahedron, int face, std::int32_t other)
 {

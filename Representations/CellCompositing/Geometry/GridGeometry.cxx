@@ -110,8 +110,8 @@ bool CellGeometry::UseGrid(
   return true;
 }
 
-// True when the first axis closes on itself, as longitudes do: with equal values, and an even number of cells, so that
-// even vertices meet even ones.
+// True when the first axis closes on itself, as longitudes do: with equal values, and an even
+// number of cells, so that even vertices meet even ones.
 bool CellGeometry::FindSeam()
 {
   const ChessboardGrid& grid = this->Grid;

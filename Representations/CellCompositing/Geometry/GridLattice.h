@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** A structured grid with evenly spaced points, such as an image has: there, the cell at a position is a matter of arithmetic. */
+/**
+ * A structured grid with evenly spaced points, such as an image has: there, the cell at a position
+ * is a matter of arithmetic.
+ */
 #ifndef nephoscope_GridLattice_h
 #define nephoscope_GridLattice_h
 
@@ -22,7 +25,10 @@ struct GridLattice
   std::array<double, 16>
     ToNumbers{}; ///< from positions to numbers of points along each axis, by rows
 
-  /** For a grid whose point 0 is `origin`, and whose last ones along each axis are `ends`. False: they span no volume. */
+  /**
+   * For a grid whose point 0 is `origin`, and whose last ones along each axis are `ends`. False:
+   * they span no volume.
+   */
   bool Span(const ChessboardGrid& grid, const Vector3& origin, const std::array<Vector3, 3>& ends)
   {
     vtkNew<vtkMatrix4x4> toPlaces;

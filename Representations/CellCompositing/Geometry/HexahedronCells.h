@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Cells as hexahedra whose vertices may coincide: a wedge is a hexahedron with two edges of length 0, and a pyramid one with a face
- * collapsed to a point. The trilinear field of such a hexahedron is the field of VTK's cell.
+ * Cells as hexahedra whose vertices may coincide: a wedge is a hexahedron with two edges of length
+ * 0, and a pyramid one with a face collapsed to a point. The trilinear field of such a hexahedron
+ * is the field of VTK's cell.
  *
  * Vertices are numbered by bits (x = 1, y = 2, z = 4), faces by axis and end: 2 * axis + end.
  */
@@ -43,8 +44,8 @@ inline bool IsOddCorner(std::size_t corner)
 }
 
 /**
- * Five tetrahedra, as ChessboardGrid.h divides a cell whose first vertex is even: that of the even vertices, and one at each odd vertex,
- * which comes first.
+ * Five tetrahedra, as ChessboardGrid.h divides a cell whose first vertex is even: that of the even
+ * vertices, and one at each odd vertex, which comes first.
  */
 inline std::array<std::size_t, 4> ChessboardPart(int part)
 {

@@ -16,7 +16,10 @@ namespace
 {
 using Quadrilateral = std::array<std::int32_t, 4>;
 
-/** A face on its way to meeting its partner: all but the lowest of its places, in order, those that coincide once. */
+/**
+ * A face on its way to meeting its partner: all but the lowest of its places, in order, those that
+ * coincide once.
+ */
 struct OpenQuadrilateral
 {
   std::array<std::int32_t, 3> Places;
@@ -184,7 +187,8 @@ private:
     return ((cell * 6 + order) * 8 + std::int32_t(start)) * 2 + (reload ? 1 : 0);
   }
 
-  // As DividedHexahedra.glsl reads it: into which corner of the other cell each corner of this one is turned (by offset and axes).
+  // As DividedHexahedra.glsl reads it: into which corner of the other cell each corner of this one
+  // is turned (by offset and axes).
   static std::int32_t PackedForDivided(
     std::int32_t cell, int face, std::size_t start, const std::array<int, 2>& axes, bool reload)
   {

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Gradients over a mesh of which each process has a piece: as PointGradients.h finds them where one has it all.
+ * Gradients over a mesh of which each process has a piece: as PointGradients.h finds them where one
+ * has it all.
  *
- * Sums over the edges of cells add up. At the places that several pieces have in common, each process sends the sums of its own cells to the others, and adds those
- * that it gets. Ghost cells do not count: another process sends their sums.
+ * Sums over the edges of cells add up. At the places that several pieces have in common, each
+ * process sends the sums of its own cells to the others, and adds those that it gets. Ghost cells
+ * do not count: another process sends their sums.
  */
 #ifndef nephoscope_PieceGradients_h
 #define nephoscope_PieceGradients_h
@@ -24,7 +26,10 @@ namespace nephoscope
 class VTKNEPHOSCOPEREPRESENTATIONSCELLCOMPOSITING_EXPORT PieceGradients
 {
 public:
-  /** `scalars`: of several components the magnitude counts; null in a piece without cells. Its range and the centre of the mesh are those of all pieces together. */
+  /**
+   * `scalars`: of several components the magnitude counts; null in a piece without cells. Its range
+   * and the centre of the mesh are those of all pieces together.
+   */
   PieceGradients(
     vtkDataSet* piece, vtkDataArray* scalars, const double range[2], const double center[3]);
 

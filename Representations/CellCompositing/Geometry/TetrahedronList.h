@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Tetrahedra by the numbers of their points: a list; or, without a copy, the cells of an unstructured grid if they are the same tetrahedra.
+ * Tetrahedra by the numbers of their points: a list; or, without a copy, the cells of an
+ * unstructured grid if they are the same tetrahedra.
  *
- * Cells of the input may change in place without notice. Numbers that no point has are therefore read as 0.
+ * Cells of the input may change in place without notice. Numbers that no point has are therefore
+ * read as 0.
  */
 #ifndef nephoscope_TetrahedronList_h
 #define nephoscope_TetrahedronList_h
@@ -47,14 +49,23 @@ public:
   void Resize(std::size_t size);
   void Set(std::size_t i, const Tetrahedron& tetrahedron) { this->List[i] = tetrahedron; }
 
-  /** Reads the cells of `data` from now on, if every tetrahedron i is cell i of `data`; the order of its points may differ. */
+  /**
+   * Reads the cells of `data` from now on, if every tetrahedron i is cell i of `data`; the order of
+   * its points may differ.
+   */
   void ReadFrom(vtkDataSet* data);
   bool ReadsInput() const { return this->Ids != nullptr; }
-  /** Reads the same cells from `data`, which may be another dataset. False, with an empty list, if they are no longer there. */
+  /**
+   * Reads the same cells from `data`, which may be another dataset. False, with an empty list, if
+   * they are no longer there.
+   */
   bool Follow(vtkDataSet* data);
   /** False, with an empty list from then on, if the input now has fewer cells. */
   bool Refresh();
-  /** Call this before reading the cells after other code has run. Also false if `data` now has another array: the memory of the old one may have been freed. */
+  /**
+   * Call this before reading the cells after other code has run. Also false if `data` now has
+   * another array: the memory of the old one may have been freed.
+   */
   bool Refresh(vtkDataSet* data);
 
 private:

@@ -17,7 +17,10 @@ namespace nephoscope
 {
 namespace
 {
-/** How a face is on record where values jump, until the faces are numbered: the tetrahedron across. The function is its own inverse. */
+/**
+ * How a face is on record where values jump, until the faces are numbered: the tetrahedron across.
+ * The function is its own inverse.
+ */
 constexpr std::int32_t JumpTo(std::int32_t tetrahedron)
 {
   return TetrahedronNeighbors::Jump - tetrahedron;
@@ -37,7 +40,10 @@ struct JumpFace
   std::size_t Place; // in the list of neighbours
 };
 
-/** The same face seen from the other tetrahedron, if it is one for sure. `jumps` are in the order of their tetrahedra. */
+/**
+ * The same face seen from the other tetrahedron, if it is one for sure. `jumps` are in the order of
+ * their tetrahedra.
+ */
 const JumpFace* FindPartner(const std::vector<JumpFace>& jumps, const JumpFace& jump)
 {
   const auto isBefore = [](const JumpFace& j, std::int32_t tetrahedron) {
@@ -140,7 +146,8 @@ Tetrahedron TetrahedronNeighbors::MergedVertices(
   return t;
 }
 
-// A tetrahedron across the face opposite vertex `face`; JumpTo it where it has other vertices there.
+// A tetrahedron across the face opposite vertex `face`; JumpTo it where it has other vertices
+// there.
 std::int32_t TetrahedronNeighbors::Linked(
   const CellGeometry& geometry, const Tetrahedron& vertices, std::int32_t neighbor, int face) const
 {

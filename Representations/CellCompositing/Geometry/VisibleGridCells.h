@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Which cells of a structured grid can be seen: the number of their tetrahedra, and the box that holds them. */
+/**
+ * Which cells of a structured grid can be seen: the number of their tetrahedra, and the box that
+ * holds them.
+ */
 #ifndef nephoscope_VisibleGridCells_h
 #define nephoscope_VisibleGridCells_h
 
@@ -16,7 +19,10 @@
 namespace nephoscope
 {
 
-/** `IsTransparent(cell, vertices, low, high)`: of a tetrahedron whose scalars of opacity lie between low and high. */
+/**
+ * `IsTransparent(cell, vertices, low, high)`: of a tetrahedron whose scalars of opacity lie between
+ * low and high.
+ */
 template <typename IsTransparent>
 class VisibleGridCells
 {

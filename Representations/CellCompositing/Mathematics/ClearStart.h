@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A position near the eye that is clear of the faces of a tetrahedron that the eye lies in, on or beside.
+ * A position near the eye that is clear of the faces of a tetrahedron that the eye lies in, on or
+ * beside.
  *
- * With the heights h_i of the tetrahedron and barycentric coordinates lambda_i, a point lies lambda_i h_i inside of face i. The centre of
- * the inscribed sphere lies r = 1 / sum(1 / h_i) inside of each. Between the eye and that centre all four distances change linearly, so the
- * first point where all reach the clearance wanted, or half of r in a smaller tetrahedron, is known.
+ * With the heights h_i of the tetrahedron and barycentric coordinates lambda_i, a point lies
+ * lambda_i h_i inside of face i. The centre of the inscribed sphere lies r = 1 / sum(1 / h_i)
+ * inside of each. Between the eye and that centre all four distances change linearly, so the first
+ * point where all reach the clearance wanted, or half of r in a smaller tetrahedron, is known.
  */
 #ifndef nephoscope_ClearStart_h
 #define nephoscope_ClearStart_h
@@ -20,15 +22,18 @@ namespace nephoscope
 
 struct ClearStart
 {
-  bool Found =
-    false; ///< false: the eye is farther outside than the clearance, or the tetrahedron has no volume
+  bool Found = false; ///< false: the eye is farther outside than the clearance, or the tetrahedron
+                      ///< has no volume
   Vector3 Position = { { 0, 0, 0 } };
   Vector4 Weights = { { 0, 0, 0, 0 } }; ///< its barycentric coordinates
   double Clearance = 0; ///< its distance from the nearest face, at most the one wanted
   double Moved = 0;     ///< its distance from the eye
 };
 
-/** Distance of each vertex from the face opposite it; 0, infinite or NaN in a tetrahedron without volume. */
+/**
+ * Distance of each vertex from the face opposite it; 0, infinite or NaN in a tetrahedron without
+ * volume.
+ */
 inline Vector4 Heights(const std::array<Vector3, 4>& p)
 {
   Vector4 h;

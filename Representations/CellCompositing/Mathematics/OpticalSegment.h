@@ -8,8 +8,8 @@
  * (WilliamsMax1992). The weights are integrals of positive functions,
  *   front = int_0^1 (1 - t) a(t) exp(-A(t)) dt,   back = int_0^1 t a(t) exp(-A(t)) dt,
  *   a(t) = tf + (tb - tf) t,   A(t) = tf t + (tb - tf) t^2 / 2,
- * and are evaluated by Gauss-Legendre quadrature: nothing is ever subtracted, so thin segments keep their
- * relative accuracy in float, where the closed form with erf and Dawson loses it.
+ * and are evaluated by Gauss-Legendre quadrature: nothing is ever subtracted, so thin segments keep
+ * their relative accuracy in float, where the closed form with erf and Dawson loses it.
  *
  * shaders/OpticalSegment.glsl is the same algorithm; TestOpticalSegmentShader compares the two.
  */
@@ -70,8 +70,9 @@ constexpr double quadratureNodes[numberOfQuadratureNodes][2] = {
 };
 
 /**
- * The rule for segments that are not thin: its error stays below 6e-7 in float for optical depths up to `largest` (beyond 1000: 1e-6);
- * all of it is the rounding of float: in double the rules err by 1.5e-8 at most (TestOpticalSegment).
+ * The rule for segments that are not thin: its error stays below 6e-7 in float for optical depths
+ * up to `largest` (beyond 1000: 1e-6); all of it is the rounding of float: in double the rules err
+ * by 1.5e-8 at most (TestOpticalSegment).
  */
 template <typename Real>
 constexpr QuadratureRule ChooseQuadratureRule(Real largest)
@@ -82,7 +83,10 @@ constexpr QuadratureRule ChooseQuadratureRule(Real largest)
 /** Up to this optical depth at either end a segment counts as thin. */
 constexpr double thinSegment = 1;
 
-/** Where along [0, 1] the optical depth reaches 18: what lies behind is darker than 1.5e-8 and is left out. */
+/**
+ * Where along [0, 1] the optical depth reaches 18: what lies behind is darker than 1.5e-8 and is
+ * left out.
+ */
 template <typename Real>
 Real OpaqueEnd(Real tauFront, Real tauBack)
 {
@@ -93,7 +97,8 @@ Real OpaqueEnd(Real tauFront, Real tauBack)
 }
 
 /**
- * By a series in which nothing cancels. With z half the optical depth and d half the difference of its ends,
+ * By a series in which nothing cancels. With z half the optical depth and d half the difference of
+ * its ends,
  *   Psi = e^-z integral of e^(-z x) e^(d (1 - x^2) / 4) dx / 2 over [-1, 1],
  * the second factor is expanded in d and the rest integrated term by term, in even powers of z. In
  * (wf - wb) / 2 = (1 + T) / 2 - Psi the large terms are taken together before: cosh z - sinh z / z.

@@ -5,13 +5,16 @@
  *
  * Let lambda_i be the barycentric coordinates of a point of the ray on a back face, and
  *   q_i = n_i . (E.xyz - E.w A_i) / n_i . (P_i - A_i)
- * for the homogeneous eye E = (x, y, z, 1), or E = (direction towards the eye, 0) in a parallel projection; n_i is the
- * normal and A_i a point of the face opposite vertex i. Then along the ray, from the back face towards the eye,
+ * for the homogeneous eye E = (x, y, z, 1), or E = (direction towards the eye, 0) in a parallel
+ * projection; n_i is the normal and A_i a point of the face opposite vertex i. Then along the ray,
+ * from the back face towards the eye,
  *   lambda_i(u) = lambda_i + u (q_i - E.w lambda_i),
- * where u is the fraction of the way to the eye (perspective) or the length (parallel). q_i > 0 marks back faces, and
- * up to scale q_i is the coefficient mu_i of the projection classes (ShirleyTuchman1990): sum mu_i P_i = 0 in eye space.
- * The front of the tetrahedron is where the first lambda_i falls to zero. Barycentric coordinates do not change under
- * affine maps, so the coordinates may be those of the model although lengths are measured in the world.
+ * where u is the fraction of the way to the eye (perspective) or the length (parallel). q_i > 0
+ * marks back faces, and up to scale q_i is the coefficient mu_i of the projection classes
+ * (ShirleyTuchman1990): sum mu_i P_i = 0 in eye space.
+ * The front of the tetrahedron is where the first lambda_i falls to zero. Barycentric coordinates
+ * do not change under affine maps, so the coordinates may be those of the model although lengths
+ * are measured in the world.
  *
  * shaders/CellCompositing.geom.glsl and .frag.glsl are the same algorithm.
  */

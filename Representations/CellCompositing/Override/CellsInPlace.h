@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A cell compositing mapper that draws in place of another volume mapper, with its input and settings.
+// A cell compositing mapper that draws in place of another volume mapper, with its input and
+// settings.
 #ifndef nephoscope_CellsInPlace_h
 #define nephoscope_CellsInPlace_h
 

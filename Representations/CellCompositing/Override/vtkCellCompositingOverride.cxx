@@ -78,7 +78,8 @@ bool Overrides(vtkObjectFactory* factory, const std::string& className)
   return false;
 }
 
-// VTK asks factories in the order of their registration, so that those of VTK itself would answer first.
+// VTK asks factories in the order of their registration, so that those of VTK itself would answer
+// first.
 void SilenceOthers(OverrideState& state, const char* className)
 {
   for (vtkObjectFactory* factory : vtk::Range(vtkObjectFactory::GetRegisteredFactories()))

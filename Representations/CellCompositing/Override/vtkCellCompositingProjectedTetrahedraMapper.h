@@ -4,7 +4,8 @@
  * @class vtkCellCompositingProjectedTetrahedraMapper
  * @brief A vtkProjectedTetrahedraMapper that draws with vtkCellCompositingMapper
  *
- * Cells of all types are drawn, and no visibility sort is needed: SetVisibilitySort is accepted and has no effect.
+ * Cells of all types are drawn, and no visibility sort is needed: SetVisibilitySort is accepted and
+ * has no effect.
  *
  * @sa vtkCellCompositingOverride vtkCellCompositingMapper
  */
@@ -31,7 +32,10 @@ public:
   vtkTypeMacro(vtkCellCompositingProjectedTetrahedraMapper, vtkOpenGLProjectedTetrahedraMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The mapper that draws. Input, scalars and clipping planes are those of this mapper; every other setting may be changed. */
+  /**
+   * The mapper that draws. Input, scalars and clipping planes are those of this mapper; every other
+   * setting may be changed.
+   */
   vtkCellCompositingMapper* GetCellCompositingMapper();
 
   bool IsSupported(vtkRenderWindow* window) override;

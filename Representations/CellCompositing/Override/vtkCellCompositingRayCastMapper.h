@@ -4,7 +4,8 @@
  * @class vtkCellCompositingRayCastMapper
  * @brief A vtkUnstructuredGridVolumeRayCastMapper that draws with vtkCellCompositingMapper
  *
- * Sample distances, number of threads, ray cast function and integrator are accepted and have no effect: every pixel has the exact integral.
+ * Sample distances, number of threads, ray cast function and integrator are accepted and have no
+ * effect: every pixel has the exact integral.
  *
  * @sa vtkCellCompositingOverride vtkCellCompositingMapper
  */
@@ -31,7 +32,10 @@ public:
   vtkTypeMacro(vtkCellCompositingRayCastMapper, vtkUnstructuredGridVolumeRayCastMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /** The mapper that draws. Input, scalars and clipping planes are those of this mapper; every other setting may be changed. */
+  /**
+   * The mapper that draws. Input, scalars and clipping planes are those of this mapper; every other
+   * setting may be changed.
+   */
   vtkCellCompositingMapper* GetCellCompositingMapper();
 
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;

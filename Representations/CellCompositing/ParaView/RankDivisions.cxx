@@ -21,7 +21,10 @@ namespace nephoscope
 {
 namespace
 {
-/** A point that several ranks have, rounded. Its code is twice the number of its whole among those of all ranks, and 1 more where it is odd. */
+/**
+ * A point that several ranks have, rounded. Its code is twice the number of its whole among those
+ * of all ranks, and 1 more where it is odd.
+ */
 struct SharedPoint
 {
   double X, Y, Z, Code;

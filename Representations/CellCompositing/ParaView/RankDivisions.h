@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** How several ranks divide unstructured hexahedra in the same way as one rank that has all of them. */
+/**
+ * How several ranks divide unstructured hexahedra in the same way as one rank that has all of them.
+ */
 #ifndef nephoscope_RankDivisions_h
 #define nephoscope_RankDivisions_h
 
@@ -10,8 +12,10 @@ namespace nephoscope
 {
 
 /**
- * Stores the division of the cells of ChessboardDivision.h, 0 where the cells of all ranks together have none (divisionName in ChessboardDivision.h).
- * Cells that have the array keep it. All ranks must call it. The points of the surfaces of all pieces are exchanged: 32 bytes each.
+ * Stores the division of the cells of ChessboardDivision.h, 0 where the cells of all ranks together
+ * have none (divisionName in ChessboardDivision.h).
+ * Cells that have the array keep it. All ranks must call it. The points of the surfaces of all
+ * pieces are exchanged: 32 bytes each.
  */
 void StoreRankDivisions(vtkUnstructuredGrid* cells);
 

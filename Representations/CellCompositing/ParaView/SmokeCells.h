@@ -13,9 +13,11 @@ namespace nephoscope
 bool IsSmoke(vtkDataSet* cells);
 
 /**
- * Diameter of a disc with the extent of the youngest layer of the smoke of all ranks, which after vtkFlowVolume is the generating polygon;
- * 0 if it has none. The bounds of a disc of radius R have a diagonal of sqrt(8) R, however it is turned; so the result depends
- * neither on how the points are spread over ranks, nor on the room that the smoke bends through. Collective.
+ * Diameter of a disc with the extent of the youngest layer of the smoke of all ranks, which after
+ * vtkFlowVolume is the generating polygon;
+ * 0 if it has none. The bounds of a disc of radius R have a diagonal of sqrt(8) R, however it is
+ * turned; so the result depends neither on how the points are spread over ranks, nor on the room
+ * that the smoke bends through. Collective.
  */
 double SmokeThickness(vtkDataSet* cells);
 

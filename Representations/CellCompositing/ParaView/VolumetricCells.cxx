@@ -46,8 +46,8 @@ bool IsCellOfGrid(vtkIdType cell, int type, const vtkIdType* ids, vtkIdType row)
 }
 
 /**
- * Whether the cells are all those of a grid that is one point thick: what a rank gets of a grid that has fewer layers of cells than there are
- * ranks.
+ * Whether the cells are all those of a grid that is one point thick: what a rank gets of a grid
+ * that has fewer layers of cells than there are ranks.
  */
 bool IsLayerOfPoints(vtkDataSet* data)
 {

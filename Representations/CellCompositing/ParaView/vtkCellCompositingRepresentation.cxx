@@ -69,7 +69,8 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
     this->Piece = nullptr; // the mapper would tell the same in its own words
   }
   this->WarnOfNoVolume(hasNoVolume && HoldsAnything(input));
-  // A rank without cells can not know what the others hold; an empty unstructured grid goes with either.
+  // A rank without cells can not know what the others hold; an empty unstructured grid goes with
+  // either.
   this->AxisAligned = !this->Piece || nephoscope::IsAxisAligned(this->Piece);
   if (!this->Piece)
   {

@@ -4,14 +4,17 @@
  * @class vtkCellCompositingRepresentation
  * @brief Cell Compositing in ParaView's list of representations
  *
- * A thin layer over vtkCellCompositingMapper. It chooses what to draw (the blocks with 3-D cells, the coloured array, a
- * uniform medium under Solid Color), and tells the view how the picture may be put together from several ranks:
+ * A thin layer over vtkCellCompositingMapper. It chooses what to draw (the blocks with 3-D cells,
+ * the coloured array, a uniform medium under Solid Color), and tells the view how the picture may
+ * be put together from several ranks:
  * - image and rectilinear pieces are boxes already, and stay where they are;
- * - all other cells are redistributed by the view, whole: a rank gets those that reach into its region, and draws the part of each ray that is in its region.
+ * - all other cells are redistributed by the view, whole: a rank gets those that reach into its
+ *   region, and draws the part of each ray that is in its region.
  *
- * If no array is chosen for the opacity, smoke from vtkFlowVolume has its Density (with puffs SmokeDensity) as extinction,
- * whatever it is coloured by and without an opacity function. The automatic unit distance then gives the generating
- * polygon's diameter an optical depth of 1 at the mean density.
+ * If no array is chosen for the opacity, smoke from vtkFlowVolume has its Density (with puffs
+ * SmokeDensity) as extinction, whatever it is coloured by and without an opacity function. The
+ * automatic unit distance then gives the generating polygon's diameter an optical depth of 1 at the
+ * mean density.
  */
 #ifndef vtkCellCompositingRepresentation_h
 #define vtkCellCompositingRepresentation_h
@@ -50,9 +53,10 @@ public:
 
   ///@{
   /**
-   * Contour surfaces inside the volume, of the coloured array or of the named point array ("None": the coloured one); see the mapper.
-   * Opacity multiplies their opacities, and colours left out are those of the colour map. Entry i of each list is that of
-   * contour value i.
+   * Contour surfaces inside the volume, of the coloured array or of the named point array ("None":
+   * the coloured one); see the mapper.
+   * Opacity multiplies their opacities, and colours left out are those of the colour map. Entry i
+   * of each list is that of contour value i.
    */
   void SetContourValue(int i, double value);
   void SetNumberOfContourValues(int number);
@@ -68,21 +72,28 @@ public:
   ///@}
 
   ///@{
-  /** ParaView's own properties: how contour surfaces and polygons reflect light, as other surfaces of the display do. */
+  /**
+   * ParaView's own properties: how contour surfaces and polygons reflect light, as other surfaces
+   * of the display do.
+   */
   void SetAmbient(double ambient) { this->Ambient = ambient; }
   void SetDiffuse(double diffuse) { this->Diffuse = diffuse; }
   void SetSpecular(double specular) { this->Specular = specular; }
   void SetSpecularPower(double power) { this->SpecularPower = power; }
   ///@}
 
-  /** Polygons between the cells; see the mapper. Those of contour i have the opacity and the colour of entry i of the lists above. */
+  /**
+   * Polygons between the cells; see the mapper. Those of contour i have the opacity and the colour
+   * of entry i of the lists above.
+   */
   void SetPolygons(int polygons);
 
   ///@{
   /**
-   * Layers are those of a cell array, or with "None" those between the contour values. Each has a factor on the extinction and its own
-   * colours: one colour or, if that is not given, a colour map for the coloured array. Entry i of each list is that of layer i;
-   * layers beyond the list, with a negative red or with a null colour map are coloured like the rest.
+   * Layers are those of a cell array, or with "None" those between the contour values. Each has a
+   * factor on the extinction and its own colours: one colour or, if that is not given, a colour map
+   * for the coloured array. Entry i of each list is that of layer i; layers beyond the list, with a
+   * negative red or with a null colour map are coloured like the rest.
    */
   void SetLayerArray(const char* name);
   void SetLayerOpacityScale(int layer, double scale);

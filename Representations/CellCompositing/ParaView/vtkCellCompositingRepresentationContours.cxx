@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Contour surfaces and layers of vtkCellCompositingRepresentation, which hands them on to the mapper.
+// Contour surfaces and layers of vtkCellCompositingRepresentation, which hands them on to the
+// mapper.
 #include "vtkCellCompositingRepresentation.h"
 
 #include "vtkCellCompositingMapper.h"
@@ -36,7 +37,10 @@ std::size_t SizeOf(int number)
   return static_cast<std::size_t>(std::max(number, 0));
 }
 
-/** A property with the functions of another, but for the colours where there are some, and a factor on its extinction. */
+/**
+ * A property with the functions of another, but for the colours where there are some, and a factor
+ * on its extinction.
+ */
 void Imitate(vtkVolumeProperty* layer, vtkVolumeProperty* volume, double scale,
   vtkColorTransferFunction* colors)
 {

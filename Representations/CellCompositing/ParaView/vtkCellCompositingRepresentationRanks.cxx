@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How several ranks draw one picture: each the part of every ray that is in its region, through whole cells.
+// How several ranks draw one picture: each the part of every ray that is in its region, through
+// whole cells.
 #include "vtkCellCompositingRepresentation.h"
 
 #include "CellMeasures.h"
@@ -78,7 +79,8 @@ bool DoAnyOverlap(const vtkBoundingBox& box)
 }
 }
 
-// Ranks are ordered by the boxes about all grids that stay on them. There is no order where the pieces of several grids make these overlap.
+// Ranks are ordered by the boxes about all grids that stay on them. There is no order where the
+// pieces of several grids make these overlap.
 bool vtkCellCompositingRepresentation::HasSeveralGrids() const
 {
   vtkBoundingBox box;
@@ -131,7 +133,8 @@ void vtkCellCompositingRepresentation::FinishPiece()
     this->Piece, isFound && onPoints ? name : nullptr, !chosen.empty(), this->HasGradients);
 }
 
-// Cells that the view may spread over ranks, which all draw the same kind of field; `areEven`: one rank draws that of the whole cells.
+// Cells that the view may spread over ranks, which all draw the same kind of field; `areEven`: one
+// rank draws that of the whole cells.
 void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
 {
   const vtkSmartPointer<vtkUnstructuredGrid> cells = nephoscope::VisibleCells(this->Piece);

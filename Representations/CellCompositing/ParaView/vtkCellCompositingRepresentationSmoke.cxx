@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Smoke in vtkCellCompositingRepresentation: opaque by its density, whatever it is coloured by; by its extinction where it is coloured by light.
+// Smoke in vtkCellCompositingRepresentation: opaque by its density, whatever it is coloured by; by
+// its extinction where it is coloured by light.
 #include "vtkCellCompositingRepresentation.h"
 
 #include "SmokeData.h"

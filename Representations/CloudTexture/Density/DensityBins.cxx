@@ -13,9 +13,11 @@ namespace
 {
 constexpr double mostBinsPerTetrahedron = 4;
 constexpr double mostEntriesPerTetrahedron = 16;
-// A fraction of a bin, by which tetrahedra are taken for larger: places along a ray are known to about 1e-6 of the whole.
+// A fraction of a bin, by which tetrahedra are taken for larger: places along a ray are known to
+// about 1e-6 of the whole.
 constexpr double slack = 2e-3;
-// A fraction of a bin, from the low end of the data to the first border: borders should not lie on those of regular cells.
+// A fraction of a bin, from the low end of the data to the first border: borders should not lie on
+// those of regular cells.
 constexpr double shift = 0.37;
 
 using Box = std::array<double, 6>;

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The density of clouds in cells of all kinds, on the GPU, where the fragment shader integrates it in their tetrahedra (CloudCells.glsl). */
+/**
+ * The density of clouds in cells of all kinds, on the GPU, where the fragment shader integrates it
+ * in their tetrahedra (CloudCells.glsl).
+ */
 #ifndef nephoscope_DensityCells_h
 #define nephoscope_DensityCells_h
 

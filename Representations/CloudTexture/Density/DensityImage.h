@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The density of clouds in an image, on the GPU, where the fragment shader integrates it voxel by voxel (CloudVolume.glsl). */
+/**
+ * The density of clouds in an image, on the GPU, where the fragment shader integrates it voxel by
+ * voxel (CloudVolume.glsl).
+ */
 #ifndef nephoscope_DensityImage_h
 #define nephoscope_DensityImage_h
 

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The cells of blocks as tetrahedra with the density at their vertices; those without any density are left out. */
+/**
+ * The cells of blocks as tetrahedra with the density at their vertices; those without any density
+ * are left out.
+ */
 #ifndef nephoscope_DensityTetrahedra_h
 #define nephoscope_DensityTetrahedra_h
 

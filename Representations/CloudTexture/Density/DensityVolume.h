@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The density of clouds in space on the GPU, where the fragment shader integrates it along rays: of an image voxel by voxel (DensityImage), of all
- * other grids tetrahedron by tetrahedron (DensityCells).
+ * The density of clouds in space on the GPU, where the fragment shader integrates it along rays: of
+ * an image voxel by voxel (DensityImage), of all other grids tetrahedron by tetrahedron
+ * (DensityCells).
  */
 #ifndef nephoscope_DensityVolume_h
 #define nephoscope_DensityVolume_h
@@ -49,7 +50,10 @@ inline bool IsDensity(double value)
   return value >= 0 && value < 1e30;
 }
 
-/** `name`: of a point or cell array; empty: active scalars. Null if there are no data, or for the reason given in `error`. */
+/**
+ * `name`: of a point or cell array; empty: active scalars. Null if there are no data, or for the
+ * reason given in `error`.
+ */
 std::unique_ptr<DensityVolume> MakeDensityVolume(
   vtkDataObject* data, const std::string& name, std::string& error);
 

@@ -13,12 +13,16 @@ namespace nephoscope
 {
 
 /**
- * Raises the normal that the fragment shader lights, if it lights one. To be called when normals have been written into it and lights
- * have not. "weights" is what the shader calls the weights of the two sets.
+ * Raises the normal that the fragment shader lights, if it lights one. To be called when normals
+ * have been written into it and lights have not. "weights" is what the shader calls the weights of
+ * the two sets.
  */
 void AddReliefCode(vtkShader* fragment, bool hasSecondSet, const char* weights);
 
-/** Length of the largest waves on the surface. The length of one texture unit is that of its field data, otherwise "given", otherwise that of the surface. */
+/**
+ * Length of the largest waves on the surface. The length of one texture unit is that of its field
+ * data, otherwise "given", otherwise that of the surface.
+ */
 double LargestWaveLength(
   vtkPolyData* surface, double given, double scale, const GardnerWaves& waves);
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The code inserted into the shaders of the superclass, and the constants for this class' shaders. */
+/**
+ * The code inserted into the shaders of the superclass, and the constants for this class' shaders.
+ */
 #ifndef nephoscope_CloudShaderCode_h
 #define nephoscope_CloudShaderCode_h
 
@@ -16,7 +18,9 @@
 namespace nephoscope
 {
 
-/** A point attribute: its name in the vertex shader, its type, and its source array on the surface. */
+/**
+ * A point attribute: its name in the vertex shader, its type, and its source array on the surface.
+ */
 struct CloudAttribute
 {
   std::string Name;
@@ -47,7 +51,10 @@ std::string DensitiesUniform(int i);
 /** Constant hasDensity of the shaders of layers. */
 std::string LayerConstants(const TexturedSurface& surface);
 
-/** Multiplies the opacity of the fragment by that of the cloud, and its colours by those of the texture. */
+/**
+ * Multiplies the opacity of the fragment by that of the cloud, and its colours by those of the
+ * texture.
+ */
 void AddCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
   const CloudShaderChoice& choice);
 

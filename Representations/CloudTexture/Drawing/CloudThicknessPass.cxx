@@ -86,7 +86,8 @@ std::string CloudThicknessPass::Draw(const Request& request)
 {
   if (!SceneDepth::IsTold(request.Scene.Prop))
   {
-    // The layers were found in an earlier stage, but for a mapper that several actors share: the last one's.
+    // The layers were found in an earlier stage, but for a mapper that several actors share: the
+    // last one's.
     this->IsKnown = this->IsKnown && this->KnownProp == request.Scene.Prop;
     return std::string();
   }

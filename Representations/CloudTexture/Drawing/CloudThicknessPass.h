@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** From the surface to the layers that the fragment shader takes the thickness of clouds from, once for each picture. */
+/**
+ * From the surface to the layers that the fragment shader takes the thickness of clouds from, once
+ * for each picture.
+ */
 #ifndef nephoscope_CloudThicknessPass_h
 #define nephoscope_CloudThicknessPass_h
 
@@ -41,14 +44,20 @@ public:
     std::function<void(vtkOpenGLHelper&)> DrawTriangles; ///< with the program of the helper
   };
 
-  /** How many times the surface may be drawn to find so many clouds; less where this OpenGL has few texture units. 0: it is drawn once, into lists. */
+  /**
+   * How many times the surface may be drawn to find so many clouds; less where this OpenGL has few
+   * texture units. 0: it is drawn once, into lists.
+   */
   static int LimitDrawings(int clouds, bool withDensities);
 
   /** Draws the layers if this is the time: empty, or what went wrong. */
   std::string Draw(const Request& request);
   /** Thickness is not known in this view: the cloud is a layer. */
   void Forget(const Request& request);
-  /** Whether back faces start no cloud: the near plane is before all of the surface, and the surface is closed. */
+  /**
+   * Whether back faces start no cloud: the near plane is before all of the surface, and the surface
+   * is closed.
+   */
   bool OnlyFrontFaces() const { return this->IsKnown && !this->EyeMayBeInside && this->IsClosed; }
   /** Which of them OpenGL takes for front faces. */
   bool FrontFacesAreFront() const { return this->FrontIsFront; }

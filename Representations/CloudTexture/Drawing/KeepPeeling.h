@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * vtkDualDepthPeelingPass ends with the first peel that puts nothing into the back. In front of what is opaque the first peel never
- * does, so that where nothing but opaque things is behind, all surfaces but the front one are lost. A surface's mapper that calls this
- * before it draws makes the pass peel once more: it gives one pixel of the first peel's back the least alpha there is.
+ * vtkDualDepthPeelingPass ends with the first peel that puts nothing into the back. In front of
+ * what is opaque the first peel never does, so that where nothing but opaque things is behind, all
+ * surfaces but the front one are lost. A surface's mapper that calls this before it draws makes the
+ * pass peel once more: it gives one pixel of the first peel's back the least alpha there is.
  */
 #ifndef nephoscope_KeepPeeling_h
 #define nephoscope_KeepPeeling_h

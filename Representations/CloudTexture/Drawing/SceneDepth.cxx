@@ -20,7 +20,8 @@ namespace nephoscope
 {
 namespace
 {
-// The name is the one that the peeling pass sets: minus one and depth; minus one twice where there is nothing opaque.
+// The name is the one that the peeling pass sets: minus one and depth; minus one twice where there
+// is nothing opaque.
 const char* const depthShader =
   "//VTK::System::Dec\n"
   "in vec2 texCoord;\n"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The depth of opaque objects, for mappers of translucent surfaces. Depth peeling draws them into images without a depth buffer; there
- * the pass provides the depth, in its first stage only.
+ * The depth of opaque objects, for mappers of translucent surfaces. Depth peeling draws them into
+ * images without a depth buffer; there the pass provides the depth, in its first stage only.
  */
 #ifndef nephoscope_SceneDepth_h
 #define nephoscope_SceneDepth_h
@@ -41,10 +41,16 @@ public:
   SceneDepth(const SceneDepth&) = delete;
   SceneDepth& operator=(const SceneDepth&) = delete;
 
-  /** Whether the depth can be found now; in the later stages of peeling it cannot, and the one found before holds. */
+  /**
+   * Whether the depth can be found now; in the later stages of peeling it cannot, and the one found
+   * before holds.
+   */
   static bool IsTold(vtkProp* prop);
 
-  /** A depth texture of the viewport's size; null where a shader does not compile. All state is restored. */
+  /**
+   * A depth texture of the viewport's size; null where a shader does not compile. All state is
+   * restored.
+   */
   vtkTextureObject* Find(const Request& request);
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -67,7 +67,8 @@ void SurfaceLayers::SetState(const Request& request)
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_MAX);
   state->vtkglDepthMask(GL_FALSE);
-  // With densities back faces just behind what is opaque are wanted: the shader looks at its depth itself.
+  // With densities back faces just behind what is opaque are wanted: the shader looks at its depth
+  // itself.
   if (request.WithDensities)
   {
     state->vtkglDisable(GL_DEPTH_TEST);

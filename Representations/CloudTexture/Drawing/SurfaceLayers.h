@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The depths at which the rays of all pixels enter and leave a surface, by drawing it several times: each time finds the nearest and the
- * farthest front face that are left, and as many back faces. As far as nothing opaque hides them.
+ * The depths at which the rays of all pixels enter and leave a surface, by drawing it several
+ * times: each time finds the nearest and the farthest front face that are left, and as many back
+ * faces. As far as nothing opaque hides them.
  */
 #ifndef nephoscope_SurfaceLayers_h
 #define nephoscope_SurfaceLayers_h
@@ -49,13 +50,19 @@ public:
   SurfaceLayers(const SurfaceLayers&) = delete;
   SurfaceLayers& operator=(const SurfaceLayers&) = delete;
 
-  /** Draws until nothing is left or the limit is reached. False: this OpenGL cannot. All state is restored. */
+  /**
+   * Draws until nothing is left or the limit is reached. False: this OpenGL cannot. All state is
+   * restored.
+   */
   bool Draw(const Request& request, const Painter& paint);
 
   int GetNumberOfDrawings() const { return this->NumberOfDrawings; }
   /** Whether more faces are there than the limit allowed to find. */
   bool HasMore() const { return this->More; }
-  /** RGBA32F: minus the depth of the nearest front and back face, depth of the farthest front and back face; "noLayer" where there is none. */
+  /**
+   * RGBA32F: minus the depth of the nearest front and back face, depth of the farthest front and
+   * back face; "noLayer" where there is none.
+   */
   vtkTextureObject* GetDepths(int drawing)
   {
     return this->Depths[static_cast<std::size_t>(drawing)];

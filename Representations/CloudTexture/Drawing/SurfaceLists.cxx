@@ -42,7 +42,8 @@ void AllocateStorage(
 SurfaceLists::SurfaceLists() = default;
 SurfaceLists::~SurfaceLists() = default;
 
-// By extension, not by version: a driver may give a context of the version asked for, 3.2, with all that it can do beside.
+// By extension, not by version: a driver may give a context of the version asked for, 3.2, with all
+// that it can do beside.
 bool SurfaceLists::IsSupported()
 {
   const std::set<std::string> needed = { "GL_ARB_shader_image_load_store",

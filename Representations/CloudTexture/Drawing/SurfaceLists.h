@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** As SurfaceLayers, in one drawing and without a limit, for OpenGL with images in shaders (4.2, or the extension): each pixel has a list of the faces behind it. */
+/**
+ * As SurfaceLayers, in one drawing and without a limit, for OpenGL with images in shaders (4.2, or
+ * the extension): each pixel has a list of the faces behind it.
+ */
 #ifndef nephoscope_SurfaceLists_h
 #define nephoscope_SurfaceLists_h
 
@@ -28,7 +31,10 @@ public:
   /** Nodes in a row of their image. */
   static constexpr int Columns = 4096;
 
-  /** Calls paint() to draw the surface once, or twice if there were more faces than in earlier pictures. False: this OpenGL cannot. */
+  /**
+   * Calls paint() to draw the surface once, or twice if there were more faces than in earlier
+   * pictures. False: this OpenGL cannot.
+   */
   bool Draw(const SurfaceLayers::Request& request, const std::function<void()>& paint);
 
   /** Two images as the shader SurfaceLists writes them. */

@@ -3,13 +3,15 @@
 /**
  * Converts the requested cover to the threshold above which there is cloud.
  *
- * What is compared with the threshold is a sum of cosines of independent phases (the texture, or two of them blended) and of Gaussian
- * parts (what the pixel's filter has taken away, the soft edge). Its distribution follows from its characteristic
- * function, a product of Bessel functions J_0(a_i t) and a Gaussian, by Gil-Pelaez:
+ * What is compared with the threshold is a sum of cosines of independent phases (the texture, or
+ * two of them blended) and of Gaussian parts (what the pixel's filter has taken away, the soft
+ * edge). Its distribution follows from its characteristic function, a product of Bessel functions
+ * J_0(a_i t) and a Gaussian, by Gil-Pelaez:
  *   P(x > T) = 1/2 - 1/pi int_0^inf sin(t T) phi(t) / t dt.
- * A sum of many cosines is nearly Gaussian, one texture alone less so (15 % cover: 1.0895 against 1.036), two blended are in between: the
- * sum of fourth powers of the amplitudes, over that of a single texture, tells by how much. So one table of thresholds by cover and by this
- * ratio serves all blends and all distances.
+ * A sum of many cosines is nearly Gaussian, one texture alone less so (15 % cover: 1.0895 against
+ * 1.036), two blended are in between: the sum of fourth powers of the amplitudes, over that of a
+ * single texture, tells by how much. So one table of thresholds by cover and by this ratio serves
+ * all blends and all distances.
  */
 #ifndef nephoscope_CoverageThreshold_h
 #define nephoscope_CoverageThreshold_h
@@ -47,13 +49,17 @@ inline double GardnerFourth(const GardnerWaves& waves = PaperWaves())
   return sum;
 }
 
-/** Distribution of a blend that has unit variance; "Fourth" is its ratio of fourth powers, 0 (Gaussian) to 1 (one texture). */
+/**
+ * Distribution of a blend that has unit variance; "Fourth" is its ratio of fourth powers, 0
+ * (Gaussian) to 1 (one texture).
+ */
 class BlendDistribution
 {
 public:
   explicit BlendDistribution(double fourth, const GardnerWaves& waves = PaperWaves())
   {
-    // From 1/2 on: two textures with weights whose fourth powers add up to it. Below: two in equal parts, and a Gaussian.
+    // From 1/2 on: two textures with weights whose fourth powers add up to it. Below: two in equal
+    // parts, and a Gaussian.
     const double split = fourth >= 0.5 ? std::sqrt(2 * std::min(1.0, fourth) - 1) : 0;
     const double scale = fourth >= 0.5 ? 1 : std::pow(std::max(0.0, 2 * fourth), 0.25);
     const double w1 = scale * std::sqrt((1 + split) / 2);
@@ -84,13 +90,16 @@ public:
   }
 
 private:
-  // Midpoints: the sum repeats itself with a period of 4 pi / step in the threshold, far beyond the largest value of 3.1.
+  // Midpoints: the sum repeats itself with a period of 4 pi / step in the threshold, far beyond the
+  // largest value of 3.1.
   static constexpr double step = 0.2;
   static constexpr int steps = 250;
   std::vector<double> Terms;
 };
 
-/** Thresholds at unit variance by cover (columns, 0 to 1) and ratio of fourth powers (rows, 0 to 1). */
+/**
+ * Thresholds at unit variance by cover (columns, 0 to 1) and ratio of fourth powers (rows, 0 to 1).
+ */
 class CoverageThresholds
 {
 public:
@@ -157,7 +166,10 @@ private:
   std::vector<float> Values;
 };
 
-/** Threshold above which the share "cover" of a texture lies, with soft edges. "fourth": sum of the fourth powers of its amplitudes, over that of all waves. */
+/**
+ * Threshold above which the share "cover" of a texture lies, with soft edges. "fourth": sum of the
+ * fourth powers of its amplitudes, over that of all waves.
+ */
 inline double ThresholdOfCover(
   const CoverageThresholds& thresholds, double cover, double softness, double fourth = 1)
 {

@@ -15,7 +15,10 @@
 namespace nephoscope
 {
 
-/** Constants, not uniforms: software OpenGL fetches those anew for every pixel, at the cost of a texture. */
+/**
+ * Constants, not uniforms: software OpenGL fetches those anew for every pixel, at the cost of a
+ * texture.
+ */
 template <typename Value>
 std::string ArrayOfWaves(
   const std::string& type, const std::string& name, const GardnerWaves& waves, const Value& value)

@@ -3,7 +3,8 @@
 /**
  * The waves of the cloud texture. Each is
  *   a cos(2 pi (b u + c v + d w + p) + s sin(2 pi (e u + g v + h w))),
- * a wave of frequencies (b, c, d) per unit of the texture, whose phase p shifts to and fro along another direction (e, g, h).
+ * a wave of frequencies (b, c, d) per unit of the texture, whose phase p shifts to and fro along
+ * another direction (e, g, h).
  *
  * With whole numbers b and e the texture has period 1 in u.
  */
@@ -73,8 +74,9 @@ inline GardnerWaves WavesOfPaper(const std::vector<Point3<double>>& frequencies)
 }
 
 /**
- * All directions, and frequencies and amplitudes from 2.4 and 1 to 66 and 0.05, chosen among 4000 sets for slices whose spectrum is the same all round. No wave
- * may dominate; otherwise clouds are stripes. Periods: 10; on longitudes 1 in u, where frequencies along u are rounded.
+ * All directions, and frequencies and amplitudes from 2.4 and 1 to 66 and 0.05, chosen among 4000
+ * sets for slices whose spectrum is the same all round. No wave may dominate; otherwise clouds are
+ * stripes. Periods: 10; on longitudes 1 in u, where frequencies along u are rounded.
  */
 inline GardnerWaves CloudWaves()
 {
@@ -97,7 +99,8 @@ inline GardnerWaves CloudWaves()
 }
 
 /**
- * Phases shift along the direction across the wave, (c, -b) / 2, as the text of MaxCrawfisBecker1993 asks. Periods: 1 in u, 2 in v, 10 in w.
+ * Phases shift along the direction across the wave, (c, -b) / 2, as the text of
+ * MaxCrawfisBecker1993 asks. Periods: 1 in u, 2 in v, 10 in w.
  */
 inline GardnerWaves PaperWaves()
 {
@@ -111,8 +114,8 @@ inline GardnerWaves PaperWaves()
 }
 
 /**
- * As printed in MaxCrawfisBecker1993: the shift is 2 sin((b u - a v) / 2), with the amplitude a in the place of a frequency (in radians). Every b is even,
- * since half of it must be whole.
+ * As printed in MaxCrawfisBecker1993: the shift is 2 sin((b u - a v) / 2), with the amplitude a in
+ * the place of a frequency (in radians). Every b is even, since half of it must be whole.
  */
 inline GardnerWaves PrintedWaves()
 {
@@ -126,8 +129,9 @@ inline GardnerWaves PrintedWaves()
 }
 
 /**
- * As in Gardner1985: along u and along v, frequencies doubled and amplitudes times 0.707 from octave to octave; the phase shifts by pi / 2, with half the
- * frequency of its wave, along the other axes. His sums along u and v are multiplied, these are added.
+ * As in Gardner1985: along u and along v, frequencies doubled and amplitudes times 0.707 from
+ * octave to octave; the phase shifts by pi / 2, with half the frequency of its wave, along the
+ * other axes. His sums along u and v are multiplied, these are added.
  */
 inline GardnerWaves GardnersWaves()
 {

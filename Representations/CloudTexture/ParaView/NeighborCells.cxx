@@ -25,7 +25,8 @@ namespace nephoscope
 {
 namespace
 {
-// By their place in a composite dataset, which is the same on all ranks; 0 for data that are not composite.
+// By their place in a composite dataset, which is the same on all ranks; 0 for data that are not
+// composite.
 using Grids = std::map<int, vtkSmartPointer<vtkUnstructuredGrid>>;
 
 Grids GridsOf(vtkDataObject* input)

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Cells of other ranks beside those of this one: the outer surface of a piece has no walls where it meets other pieces. */
+/**
+ * Cells of other ranks beside those of this one: the outer surface of a piece has no walls where it
+ * meets other pieces.
+ */
 #ifndef nephoscope_NeighborCells_h
 #define nephoscope_NeighborCells_h
 
@@ -16,8 +19,9 @@ namespace nephoscope
 bool HasVolumes(vtkDataSet* data);
 
 /**
- * `input`, or a copy whose unstructured grids have a layer of cells of other ranks, marked as duplicates. A grid that has such cells
- * already, or 3-D cells on one rank only, stays as it is. `input` may be null. Collective.
+ * `input`, or a copy whose unstructured grids have a layer of cells of other ranks, marked as
+ * duplicates. A grid that has such cells already, or 3-D cells on one rank only, stays as it is.
+ * `input` may be null. Collective.
  */
 vtkSmartPointer<vtkDataObject> WithNeighborCells(vtkDataObject* input);
 

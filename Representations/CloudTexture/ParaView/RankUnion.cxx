@@ -127,7 +127,8 @@ vtkBoundingBox BoxOf(const DataSets& surfaces)
   return box;
 }
 
-// Ranks compute the points that their pieces have in common each for itself. A surface with gaps between pieces is not closed.
+// Ranks compute the points that their pieces have in common each for itself. A surface with gaps
+// between pieces is not closed.
 void CloseGaps(const std::vector<DataSets>& ofRanks)
 {
   constexpr double rounding = 1e-6;
@@ -174,7 +175,8 @@ void CloseGaps(const std::vector<DataSets>& ofRanks)
   }
 }
 
-// Data travel as VTK's files, in which the numbers of a lattice are rounded to 6 digits and not turned: they travel beside it.
+// Data travel as VTK's files, in which the numbers of a lattice are rounded to 6 digits and not
+// turned: they travel beside it.
 constexpr const char* latticeName = "NephoscopeLattice";
 
 void StoreLattice(vtkDataSet* set)

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The surfaces and the density volume of all ranks, on each of them: what lies along a ray, whoever has it. */
+/**
+ * The surfaces and the density volume of all ranks, on each of them: what lies along a ray, whoever
+ * has it.
+ */
 #ifndef nephoscope_RankUnion_h
 #define nephoscope_RankUnion_h
 
@@ -16,12 +19,16 @@ class vtkMultiBlockDataSet;
 namespace nephoscope
 {
 
-/** The surfaces of all ranks, without ghost cells, in the order of the ranks. Each rank gets those of every other one. Collective. */
+/**
+ * The surfaces of all ranks, without ghost cells, in the order of the ranks. Each rank gets those
+ * of every other one. Collective.
+ */
 vtkSmartPointer<vtkMultiBlockDataSet> SurfacesOfRanks(vtkDataObject* own);
 
 /**
- * The grids of all ranks with one array, `name`, or the active scalars where it is empty. The pieces of an image are one image again, which is drawn voxel by voxel as
- * that of one rank is. Collective.
+ * The grids of all ranks with one array, `name`, or the active scalars where it is empty. The
+ * pieces of an image are one image again, which is drawn voxel by voxel as that of one rank is.
+ * Collective.
  */
 vtkSmartPointer<vtkMultiBlockDataSet> DensitiesOfRanks(vtkDataObject* own, const std::string& name);
 

@@ -128,7 +128,8 @@ std::array<vtkIdType, 2> SizeOverRanks(vtkDataObject* input, vtkDataObject* data
   return size;
 }
 
-// Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
+// Travels with the data as a field array, so that every time step in ParaView's cache keeps its
+// own.
 void StoreLength(vtkPolyData* surface, const nephoscope::SurfaceLength& length)
 {
   vtkNew<vtkFieldData> own; // the input shares its field data with the copy
@@ -140,7 +141,8 @@ void StoreLength(vtkPolyData* surface, const nephoscope::SurfaceLength& length)
 
 vtkCloudTextureRepresentation::vtkCloudTextureRepresentation()
 {
-  // The superclass sets what colours on its own mapper, which is never drawn: the cloud mapper takes one surface, not blocks.
+  // The superclass sets what colours on its own mapper, which is never drawn: the cloud mapper
+  // takes one surface, not blocks.
   this->Actor->SetMapper(this->CloudMapper);
   nephoscope::ForwardMessages(this->CloudMapper, this);
   this->SuppressLOD = true;
@@ -206,8 +208,9 @@ void vtkCloudTextureRepresentation::RequestNeighborCells(vtkInformationVector* i
   }
 }
 
-// What is delivered is the same object while the data are: what the mapper makes of it takes time. It is of one type with all data, and where
-// there are none: a client that has none yet must know what it gets.
+// What is delivered is the same object while the data are: what the mapper makes of it takes time.
+// It is of one type with all data, and where there are none: a client that has none yet must know
+// what it gets.
 void vtkCloudTextureRepresentation::ReadVolume(vtkInformationVector* inputs)
 {
   vtkDataObject* given =
@@ -279,7 +282,8 @@ int vtkCloudTextureRepresentation::ProcessViewRequest(
   if (request == vtkPVView::REQUEST_UPDATE())
   {
     vtkPVView::SetPiece(inInfo, this, this->Volume, 0, 1);
-    // Where ranks draw is chosen by their surfaces, which stay where they are: each rank gets all of them.
+    // Where ranks draw is chosen by their surfaces, which stay where they are: each rank gets all
+    // of them.
     vtkPVRenderView::SetOrderedCompositingConfiguration(
       inInfo, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   }
@@ -338,8 +342,8 @@ void vtkCloudTextureRepresentation::WarnOfVolume(vtkDataObject* input)
   this->HasToldOfVolume = hasVolumes;
 }
 
-// Where ranks draw in regions of their own, each gets the surface and the density of all: a cloud may begin in the region of one rank and end in that of
-// another. Collective.
+// Where ranks draw in regions of their own, each gets the surface and the density of all: a cloud
+// may begin in the region of one rank and end in that of another. Collective.
 void vtkCloudTextureRepresentation::TakeDelivered(
   vtkDataObject* surface, vtkCompositeDataSet* volume)
 {

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCloudTextureRepresentation
- * @brief ParaView representation "Cloud Texture": surfaces of clouds, drawn by vtkCloudTextureMapper
+ * @brief ParaView representation "Cloud Texture": surfaces of clouds, drawn by
+ *        vtkCloudTextureMapper
  *
- * As ParaView's surface representation, with another mapper: colours, lights, opacity and transformations are its own. Blocks are drawn as one
- * surface. On several ranks unstructured data get the cells of other ranks that they lack, so that no wall is drawn between ranks. Each rank gets the surface of all, and
- * with Use Thickness their density volume, and draws the fragments that lie in its region: the picture is that of one process. The length of a unit of texture, where
- * coordinates are positions, is that of the whole surface on all ranks.
+ * As ParaView's surface representation, with another mapper: colours, lights, opacity and
+ * transformations are its own. Blocks are drawn as one surface. On several ranks unstructured data
+ * get the cells of other ranks that they lack, so that no wall is drawn between ranks. Each rank
+ * gets the surface of all, and with Use Thickness their density volume, and draws the fragments
+ * that lie in its region: the picture is that of one process. The length of a unit of texture,
+ * where coordinates are positions, is that of the whole surface on all ranks.
  * Levels of detail are not used: they have no texture coordinates.
  */
 #ifndef vtkCloudTextureRepresentation_h
@@ -88,8 +91,8 @@ public:
 
   ///@{
   /**
-   * Input 1, optional: the grid that vtkCloudTextureMapper integrates the density of. On several ranks each
-   * gets the parts of all, with this array alone.
+   * Input 1, optional: the grid that vtkCloudTextureMapper integrates the density of. On several
+   * ranks each gets the parts of all, with this array alone.
    */
   void SetDensityVolumeConnection(vtkAlgorithmOutput* volume);
   void RemoveDensityVolume();

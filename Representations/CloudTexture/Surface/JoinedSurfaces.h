@@ -60,8 +60,9 @@ class JoinedSurfaces
 {
 public:
   /**
-   * Blocks without polygonal data are left out; each field array comes from the first block that has it. Those other arrays remain that all blocks have,
-   * and the coloured one, which is 0 in the others.
+   * Blocks without polygonal data are left out; each field array comes from the first block that
+   * has it. Those other arrays remain that all blocks have, and the coloured one, which is 0 in the
+   * others.
    */
   vtkPolyData* Join(vtkCompositeDataSet* data, const SurfaceColorArray& colored)
   {
@@ -113,7 +114,10 @@ private:
     return isPartial ? model : nullptr;
   }
 
-  /** A copy that shares the arrays, with the coloured one and what tells where it has been missing; without a model, the block. */
+  /**
+   * A copy that shares the arrays, with the coloured one and what tells where it has been missing;
+   * without a model, the block.
+   */
   vtkSmartPointer<vtkPolyData> Complete(vtkPolyData* block, vtkDataArray* model) const
   {
     if (!model)

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The mean length of rays inside a closed surface: four times its volume over its area, for rays with all positions and directions
- * (Cauchy1850). The volume is that of the tetrahedra between the triangles and the origin, with their signs. It is closed where every edge is
- * there once in each direction: then the signed sum of hash values of edges is 0, and by chance in one case of 2^64.
+ * The mean length of rays inside a closed surface: four times its volume over its area, for rays
+ * with all positions and directions (Cauchy1850). The volume is that of the tetrahedra between the
+ * triangles and the origin, with their signs. It is closed where every edge is there once in each
+ * direction: then the signed sum of hash values of edges is 0, and by chance in one case of 2^64.
  */
 #ifndef nephoscope_MeanChord_h
 #define nephoscope_MeanChord_h

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The length of one unit of texture where coordinates are positions, and how often it repeats itself: of a surface, or of the parts of one together. */
+/**
+ * The length of one unit of texture where coordinates are positions, and how often it repeats
+ * itself: of a surface, or of the parts of one together.
+ */
 #ifndef nephoscope_SurfaceLength_h
 #define nephoscope_SurfaceLength_h
 
@@ -102,7 +105,10 @@ struct SurfaceLength
                            : 1;
   }
 
-  /** The default number of repetitions along this length. Layers have smaller clouds than bodies, the more so the flatter they are. */
+  /**
+   * The default number of repetitions along this length. Layers have smaller clouds than bodies,
+   * the more so the flatter they are.
+   */
   double Repetitions() const
   {
     constexpr double ofBodies = 2.5, ofLayers = 4, ofGlobes = 8;

@@ -73,7 +73,8 @@ vtkSmartPointer<vtkFloatArray> Positions(
 vtkSmartPointer<vtkFloatArray> CoordinatesFromPositions(
   vtkPolyData* data, const TextureChoice& choice, double scale, const char* name)
 {
-  // The texture repeats itself after 10 units in all three: leaving them out keeps far places exact in float.
+  // The texture repeats itself after 10 units in all three: leaving them out keeps far places exact
+  // in float.
   constexpr double period = 10;
   const double factor = scale / (choice.Length > 0 ? choice.Length : SurfaceLength::Of(data).Get());
   double origin[3];
@@ -101,7 +102,10 @@ vtkSmartPointer<vtkFloatArray> Scaled(vtkDataArray* array, double scale, const c
   return result;
 }
 
-/** Gives corners whose u is more than half a turn away from the first corner's a point of their own, a turn on. */
+/**
+ * Gives corners whose u is more than half a turn away from the first corner's a point of their own,
+ * a turn on.
+ */
 class SeamCutter
 {
 public:
@@ -178,7 +182,10 @@ std::string CheckArray(vtkPolyData* input, const std::string& name, int componen
       use + " has another number of components than " + std::to_string(components) + ".";
 }
 
-/** A copy of a point array of one component as float, with values between 0 and "highest"; null, and an error, where there is none. */
+/**
+ * A copy of a point array of one component as float, with values between 0 and "highest"; null, and
+ * an error, where there is none.
+ */
 vtkSmartPointer<vtkFloatArray> AddShares(TexturedSurface& result, vtkPolyData* input,
   const std::string& name, const char* use, const char* newName, float highest,
   const std::string& warning)
@@ -299,7 +306,10 @@ void FindMeanChord(TexturedSurface& result, vtkPolyData* input)
   }
 }
 
-/** The third coordinate: 0 at the low end of the range that is given, or else that of the data, 1 at the high end. */
+/**
+ * The third coordinate: 0 at the low end of the range that is given, or else that of the data, 1 at
+ * the high end.
+ */
 void SetAltitudes(vtkFloatArray* coordinates, const std::function<double(vtkIdType)>& altitude,
   const double given[2], const double ofData[2])
 {

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The surface as it is drawn: its cells with float texture coordinates, cover and places, cut where the texture wraps around. */
+/**
+ * The surface as it is drawn: its cells with float texture coordinates, cover and places, cut where
+ * the texture wraps around.
+ */
 #ifndef nephoscope_TexturedSurface_h
 #define nephoscope_TexturedSurface_h
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The texture of clouds: a sum of cosines whose phases are shifted to and fro (Gardner1985, as in MaxCrawfisBecker1993 section 4):
+ * The texture of clouds: a sum of cosines whose phases are shifted to and fro (Gardner1985, as in
+ * MaxCrawfisBecker1993 section 4):
  * GardnerWaves.h. The variance of the sum is 1, its mean 0.
  */
 #ifndef nephoscope_GardnerTexture_h
@@ -30,7 +31,10 @@ Point3<Real> Radians(const Point3<double>& turns)
     Real(2 * gardnerPi * turns[2]) } };
 }
 
-/** A pixel on the texture: how far (u, v, w) change over one standard deviation of the pixel's filter, across and up. */
+/**
+ * A pixel on the texture: how far (u, v, w) change over one standard deviation of the pixel's
+ * filter, across and up.
+ */
 template <typename Real>
 struct TextureFootprint
 {
@@ -70,8 +74,9 @@ Real GardnerTexture(const Point3<Real>& p, const GardnerWaves& waves = PaperWave
 }
 
 /**
- * With each term taken as a wave of the frequency that it has at p. Over footprints of a wave length and more the
- * mean differs from the exact one by some hundredths; its variance and that which is lost still add up to 1.
+ * With each term taken as a wave of the frequency that it has at p. Over footprints of a wave
+ * length and more the mean differs from the exact one by some hundredths; its variance and that
+ * which is lost still add up to 1.
  */
 template <typename Real>
 FilteredTexture<Real> FilteredGardnerTexture(const Point3<Real>& p,
@@ -99,8 +104,8 @@ FilteredTexture<Real> FilteredGardnerTexture(const Point3<Real>& p,
 }
 
 /**
- * Exactly, for a Gaussian filter: cos(theta + s sin chi) is the sum over k of J_k(s) cos(theta + k chi), plane waves, each of which
- * the filter damps by exp(-(phase variance) / 2).
+ * Exactly, for a Gaussian filter: cos(theta + s sin chi) is the sum over k of J_k(s) cos(theta + k
+ * chi), plane waves, each of which the filter damps by exp(-(phase variance) / 2).
  */
 inline FilteredTexture<double> ExactlyFilteredGardnerTexture(const Point3<double>& p,
   const TextureFootprint<double>& footprint, const GardnerWaves& waves = PaperWaves())
@@ -132,8 +137,9 @@ inline FilteredTexture<double> ExactlyFilteredGardnerTexture(const Point3<double
 }
 
 /**
- * Where a set of texture coordinates reads the texture. Set 0 reads it at p, set 1 mirrored and shifted: its waves have other
- * directions, so that the two are independent even where their coordinates agree, in calm air.
+ * Where a set of texture coordinates reads the texture. Set 0 reads it at p, set 1 mirrored and
+ * shifted: its waves have other directions, so that the two are independent even where their
+ * coordinates agree, in calm air.
  */
 template <typename Real>
 Point3<Real> PlaceInSet(int set, const Point3<Real>& p)
@@ -142,8 +148,8 @@ Point3<Real> PlaceInSet(int set, const Point3<Real>& p)
 }
 
 /**
- * The two sets together, before any threshold: independent textures of equal variance keep it when the sum is divided by the root of the
- * sum of squared weights. Weights >= 0, not both 0.
+ * The two sets together, before any threshold: independent textures of equal variance keep it when
+ * the sum is divided by the root of the sum of squared weights. Weights >= 0, not both 0.
  */
 template <typename Real>
 FilteredTexture<Real> BlendTextures(const FilteredTexture<Real>& first,
@@ -167,8 +173,9 @@ Real NormalShare(Real x)
 }
 
 /**
- * Cloudy fraction of a pixel, 0 ... 1. Its mean over the texture is the cover, at every distance and for every blend.
- * "softness" is the standard deviation of the soft edge, in units of the texture.
+ * Cloudy fraction of a pixel, 0 ... 1. Its mean over the texture is the cover, at every distance
+ * and for every blend. "softness" is the standard deviation of the soft edge, in units of the
+ * texture.
  */
 inline double CloudShare(const CoverageThresholds& thresholds,
   const FilteredTexture<double>& texture, double cover, double softness)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// GardnerTexture.glsl against GardnerTexture.h; the density along a ray in CloudThickness.glsl against quadrature.
+// GardnerTexture.glsl against GardnerTexture.h; the density along a ray in CloudThickness.glsl
+// against quadrature.
 #include "ShaderRunner.h"
 
 #include "GardnerShaderConstants.h"

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The cloud texture against given values, its period, averages over footprints by Monte Carlo; thresholds against counts. */
+/**
+ * The cloud texture against given values, its period, averages over footprints by Monte Carlo;
+ * thresholds against counts.
+ */
 #include "CoverageThreshold.h"
 #include "GardnerTexture.h"
 
@@ -154,7 +157,8 @@ TEST(CoverageThreshold, UncorrectedBlendsHaveLessCover)
   EXPECT_NEAR(corrected / double(samples), 0.143, 0.003);
 }
 
-// The two sets over 24 hours, also where they have the same coordinates (calm air), near and far, hard edges and soft ones.
+// The two sets over 24 hours, also where they have the same coordinates (calm air), near and far,
+// hard edges and soft ones.
 TEST(CoverageThreshold, CoverStaysWithWeightsDistanceAndSoftness)
 {
   Random random(6);
@@ -186,7 +190,8 @@ TEST(CoverageThreshold, CoverStaysWithWeightsDistanceAndSoftness)
   std::cout << "worst cover: off by " << worst << std::endl;
 }
 
-// Every preset: variance, exact filter, period on longitudes, and the cover of a threshold by counting; and the threshold of that cover.
+// Every preset: variance, exact filter, period on longitudes, and the cover of a threshold by
+// counting; and the threshold of that cover.
 class Presets : public testing::TestWithParam<int>
 {
 };

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Mean chords of bodies against their volume and area, against rays, and what is not a closed surface. */
+/**
+ * Mean chords of bodies against their volume and area, against rays, and what is not a closed
+ * surface.
+ */
 #include "MeanChord.h"
 
 #include "TestRandom.h"
@@ -65,7 +68,8 @@ TEST(MeanChord, IsFourVolumesOverTheArea)
   }
 }
 
-// Rays of all directions through places that are spread evenly over the surface, which they meet with a density like the cosine.
+// Rays of all directions through places that are spread evenly over the surface, which they meet
+// with a density like the cosine.
 TEST(MeanChord, IsThatOfRays)
 {
   Random random(9);

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Ids that give the colour. VTK drops arrays of ids, and those in the role of ids, where it cuts cells; ordinary numbers are interpolated. */
+/**
+ * Ids that give the colour. VTK drops arrays of ids, and those in the role of ids, where it cuts
+ * cells; ordinary numbers are interpolated.
+ */
 #ifndef nephoscope_IdsAsNumbers_h
 #define nephoscope_IdsAsNumbers_h
 

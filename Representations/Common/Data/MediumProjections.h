@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** How much of a medium lies behind each place of three coarse pictures, seen along the axes: tells one that fills its bounds from a small dense one. */
+/**
+ * How much of a medium lies behind each place of three coarse pictures, seen along the axes: tells
+ * one that fills its bounds from a small dense one.
+ */
 #ifndef nephoscope_MediumProjections_h
 #define nephoscope_MediumProjections_h
 
@@ -26,14 +29,19 @@ public:
   };
   using Amounts = std::array<double, NUMBER_OF_QUANTITIES>;
 
-  /** Spreads amounts evenly over a box in the frame, both given by lower and upper bounds along each axis. */
+  /**
+   * Spreads amounts evenly over a box in the frame, both given by lower and upper bounds along each
+   * axis.
+   */
   void Add(
     const std::array<double, 6>& frame, const std::array<double, 6>& box, const Amounts& amounts);
 
   /**
-   * How much more a ray through the mean opaque place meets than if the opacity were spread over all that the medium covers: 1 where it is,
-   * about 5 for a Gaussian whose standard deviation is an eighth of the bounds. It is the least of the three directions: a layer that fills its
-   * bounds as seen from above counts as spread. The opacity is that of the opacity function or, as a ramp, of the scalar over its range.
+   * How much more a ray through the mean opaque place meets than if the opacity were spread over
+   * all that the medium covers: 1 where it is, about 5 for a Gaussian whose standard deviation is
+   * an eighth of the bounds. It is the least of the three directions: a layer that fills its bounds
+   * as seen from above counts as spread. The opacity is that of the opacity function or, as a ramp,
+   * of the scalar over its range.
    */
   double Localization() const;
   double Localization(const double scalarRange[2]) const;

@@ -3,8 +3,9 @@
 /**
  * Loops that report their progress, and stop on request.
  *
- * A loop is cut into stretches of about 30 ms; between two of them the calling thread reports. The result of a loop does not
- * depend on where it was split. Without anybody to report to, it runs in one stretch.
+ * A loop is cut into stretches of about 30 ms; between two of them the calling thread reports. The
+ * result of a loop does not depend on where it was split. Without anybody to report to, it runs in
+ * one stretch.
  */
 #ifndef nephoscope_ProgressLoop_h
 #define nephoscope_ProgressLoop_h
@@ -85,8 +86,8 @@ bool InStretches(std::size_t n, const Progress& progress, std::size_t shortest, 
 constexpr std::size_t anyLength = static_cast<std::size_t>(-1);
 
 /**
- * body(begin, end) in parallel over [0, n); false when stopped before the end. `longest`: elements in a stretch for each thread,
- * where some are much heavier than those before them.
+ * body(begin, end) in parallel over [0, n); false when stopped before the end. `longest`: elements
+ * in a stretch for each thread, where some are much heavier than those before them.
  */
 template <typename Body>
 bool ForRanges(std::size_t n, const Progress& progress, Body body, std::size_t longest = anyLength)

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Which scalar of a data array is meant, and how its values become numbers from 0 to 1 that float can hold. */
+/**
+ * Which scalar of a data array is meant, and how its values become numbers from 0 to 1 that float
+ * can hold.
+ */
 #ifndef nephoscope_ScalarSelection_h
 #define nephoscope_ScalarSelection_h
 
@@ -47,8 +50,9 @@ inline double ScalarValue(const ScalarSelection& scalars, vtkIdType tuple)
 }
 
 /**
- * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not count: a fill value there
- * would take the precision of all that is drawn. `single` says whether all values are equal. False when stopped.
+ * Finite minimum and maximum, never equal: the range that becomes [0, 1]. Hidden values do not
+ * count: a fill value there would take the precision of all that is drawn. `single` says whether
+ * all values are equal. False when stopped.
  */
 inline bool FindRange(vtkDataSet* data, const ScalarSelection& scalars, double range[2],
   const Progress& progress = {}, bool* single = nullptr)

@@ -19,13 +19,17 @@ namespace nephoscope
 {
 namespace
 {
-// At the places looked at; 1 / 2000 then holds between them. For opacity it is a fraction of the opacity itself, down to a small fraction of the
-// largest: however large the scale, the error of the optical depth is a small part of it.
+// At the places looked at; 1 / 2000 then holds between them. For opacity it is a fraction of the
+// opacity itself, down to a small fraction of the largest: however large the scale, the error of
+// the optical depth is a small part of it.
 constexpr double curveTolerance = 1.0 / 2500;
 constexpr float leastOpacity = 1e-6f;
 constexpr int largestDepth = 12; // the finest piece is 1/4096 of the way between two control points
 
-/** How far inside an interval its limits are taken: as little as the arithmetic allows, so that a jump stays outside. */
+/**
+ * How far inside an interval its limits are taken: as little as the arithmetic allows, so that a
+ * jump stays outside.
+ */
 double LimitInset(double low, double high)
 {
   const double rounding =
@@ -109,7 +113,8 @@ public:
   }
 
 private:
-  // Indexed colours belong to annotated values; between two of them the nearer one is meant, so that cells have exactly theirs.
+  // Indexed colours belong to annotated values; between two of them the nearer one is meant, so
+  // that cells have exactly theirs.
   void FindCategories()
   {
     if (!this->Color || !this->Color->GetIndexedLookup())
@@ -139,8 +144,8 @@ private:
     return std::min_element(this->Categories.begin(), this->Categories.end(), nearer)->second;
   }
 
-  // In this colour space VTK searches a path for every colour it is asked for, which takes it tens of milliseconds; it makes a whole
-  // table with one search per control point.
+  // In this colour space VTK searches a path for every colour it is asked for, which takes it tens
+  // of milliseconds; it makes a whole table with one search per control point.
   void Tabulate()
   {
     this->Color->GetRange(this->TabulatedRange);
@@ -164,8 +169,8 @@ private:
 
   bool HasSteps() const { return this->Steps > 0 && this->Steps < 256; }
 
-  // The node's own place, and the place of its midpoint, where sharp functions step. The two functions differ in the size of
-  // a node: x first, midpoint and sharpness last.
+  // The node's own place, and the place of its midpoint, where sharp functions step. The two
+  // functions differ in the size of a node: x first, midpoint and sharpness last.
   template <typename Function>
   static void AddNodes(Function* function, int nodeSize, std::vector<double>& nodes)
   {
@@ -228,7 +233,10 @@ TransferFunctionTable::Value Mix(
   return result;
 }
 
-/** Limits at the ends of an interval: the line through two places just inside, which are as near as rounding allows. */
+/**
+ * Limits at the ends of an interval: the line through two places just inside, which are as near as
+ * rounding allows.
+ */
 TransferFunctionTable::Interval Limits(const Sampler& sample, double low, double high)
 {
   const double inset = LimitInset(low, high);
@@ -249,7 +257,10 @@ TransferFunctionTable::Interval Limits(const Sampler& sample, double low, double
   return result;
 }
 
-/** True when the function is a straight line between its limits at two places, as far as one can tell. */
+/**
+ * True when the function is a straight line between its limits at two places, as far as one can
+ * tell.
+ */
 bool IsStraight(const Sampler& sample, double low, double high)
 {
   const auto [a, b] = Limits(sample, low, high);
@@ -321,7 +332,8 @@ void TransferFunctionTable::Build(
   {
     const double above = k + 1 < nodes.size() ? nodes[k + 1] : nodes[k];
     const float node = static_cast<float>(NormalizedValue(nodes[k], range));
-    // Nodes too near for floats are no jump: what lies on the first has its color, not that of the last. Shaders take 1e-38 for 0.
+    // Nodes too near for floats are no jump: what lies on the first has its color, not that of the
+    // last. Shaders take 1e-38 for 0.
     const bool merged =
       k > 0 && nodes[k] > nodes[k - 1] && node < this->Nodes.back() + leastDistance;
     this->Nodes.push_back(merged

@@ -3,14 +3,15 @@
 /**
  * The colour and opacity functions of a volume property as one piecewise-linear function, in float.
  *
- * Nodes stand at every control point of either function, and further ones where a function is curved between control
- * points (midpoint, sharpness, colour spaces other than RGB), so that the table follows it to within
- * 1/2000 (of opacity: 1/2000 of itself).
- * Values are kept separately left and right of each node: a jump stays a jump. Colours of a discretised lookup with fewer than
- * 256 values are kept as its steps. With indexed (categorical) colours each scalar has that of the nearest annotated value.
+ * Nodes stand at every control point of either function, and further ones where a function is
+ * curved between control points (midpoint, sharpness, colour spaces other than RGB), so that the
+ * table follows it to within 1/2000 (of opacity: 1/2000 of itself).
+ * Values are kept separately left and right of each node: a jump stays a jump. Colours of a
+ * discretised lookup with fewer than 256 values are kept as its steps. With indexed (categorical)
+ * colours each scalar has that of the nearest annotated value.
  *
- * Interval k lies between node k-1 and node k; interval 0 is all that lies below the first node and interval n all that lies above
- * the last, both constant.
+ * Interval k lies between node k-1 and node k; interval 0 is all that lies below the first node and
+ * interval n all that lies above the last, both constant.
  */
 #ifndef nephoscope_TransferFunctionTable_h
 #define nephoscope_TransferFunctionTable_h
@@ -48,9 +49,9 @@ public:
   /** Multiplies the opacities. */
   void ScaleOpacity(double factor);
 
-  std::vector<float> Nodes; ///< ascending, at least one
-  std::vector<float>
-    Widths; ///< of the interval above each node; more exact than a difference of nodes; 0 for the last
+  std::vector<float> Nodes;  ///< ascending, at least one
+  std::vector<float> Widths; ///< of the interval above each node; more exact than a difference of
+                             ///< nodes; 0 for the last
   std::vector<Interval> Intervals; ///< Nodes.size() + 1
 
   /** Interval that contains s. A node belongs to the interval above it. */
@@ -59,7 +60,9 @@ public:
   float GreatestOpacity() const;
   /** True when opacity is zero everywhere in [low, high]: nothing there can be seen. */
   bool IsTransparent(float low, float high) const;
-  /** The longest range [low, high) in which opacity is zero; empty (low > high) if there is none. */
+  /**
+   * The longest range [low, high) in which opacity is zero; empty (low > high) if there is none.
+   */
   std::array<float, 2> LongestTransparentRange() const;
 
 private:

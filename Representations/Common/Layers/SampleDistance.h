@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** How far apart rays may be, in pixels, so that a picture is drawn within the time that its window allots. */
+/**
+ * How far apart rays may be, in pixels, so that a picture is drawn within the time that its window
+ * allots.
+ */
 #ifndef nephoscope_SampleDistance_h
 #define nephoscope_SampleDistance_h
 
@@ -12,8 +15,9 @@ namespace nephoscope
 {
 
 /**
- * The time of a picture is taken as `Fixed + Rays / distance²`. Two pictures one after another with different distances give both, if two
- * such pairs agree; later pictures correct the second. The first picture does not count: its shaders are compiled.
+ * The time of a picture is taken as `Fixed + Rays / distance²`. Two pictures one after another with
+ * different distances give both, if two such pairs agree; later pictures correct the second. The
+ * first picture does not count: its shaders are compiled.
  */
 class SampleDistance
 {

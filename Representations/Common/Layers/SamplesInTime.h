@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Draws with fewer samples of the image while the camera moves: as many as the window's DesiredUpdateRate leaves time for. */
+/**
+ * Draws with fewer samples of the image while the camera moves: as many as the window's
+ * DesiredUpdateRate leaves time for.
+ */
 #ifndef nephoscope_SamplesInTime_h
 #define nephoscope_SamplesInTime_h
 
@@ -26,8 +29,8 @@ class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT SamplesInTime
 {
 public:
   /**
-   * Calls `draw` with the distance of the samples, waits for OpenGL and returns the seconds that this took. What the window has yet to draw
-   * before counts too: OpenGL draws in order.
+   * Calls `draw` with the distance of the samples, waits for OpenGL and returns the seconds that
+   * this took. What the window has yet to draw before counts too: OpenGL draws in order.
    */
   double Draw(vtkRenderWindow* window, const SampleSettings& settings,
     const std::function<void(double)>& draw);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What one object reports, told as by another one: whoever observes that one, as a host does, hears of its parts too.
+// What one object reports, told as by another one: whoever observes that one, as a host does, hears
+// of its parts too.
 #ifndef nephoscope_ForwardedMessages_h
 #define nephoscope_ForwardedMessages_h
 

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** What ShallowCopy() of a volume mapper copies beside its own settings: vtkAbstractMapper has the clipping planes alone. */
+/**
+ * What ShallowCopy() of a volume mapper copies beside its own settings: vtkAbstractMapper has the
+ * clipping planes alone.
+ */
 #ifndef nephoscope_MapperSettings_h
 #define nephoscope_MapperSettings_h
 

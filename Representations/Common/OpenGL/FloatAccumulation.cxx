@@ -69,7 +69,8 @@ bool FloatAccumulation::Begin(vtkOpenGLRenderWindow* window, const int viewport[
     this->SetDepth(depth);
   }
   this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(layers));
-  // vtkOpenGLState skips this call when the framebuffer that was bound before had as many draw buffers.
+  // vtkOpenGLState skips this call when the framebuffer that was bound before had as many draw
+  // buffers.
   const GLenum buffers[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
   glDrawBuffers(layers, buffers);
   state->vtkglViewport(0, 0, viewport[2], viewport[3]);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A 32-bit float image in which translucent layers are blended, and which is then laid over the scene.
+ * A 32-bit float image in which translucent layers are blended, and which is then laid over the
+ * scene.
  * Hundreds of faint layers are lost or tinted in the 8-bit framebuffer of a window.
  */
 #ifndef nephoscope_FloatAccumulation_h
@@ -31,8 +32,10 @@ public:
   FloatAccumulation& operator=(const FloatAccumulation&) = delete;
 
   /**
-   * Makes a transparent RGBA32F image of the viewport's size the draw target. To be paired with End().
-   * With two layers there are two such images, gl_FragData[0] and [1]. `depth`, of the same size, becomes the depth buffer.
+   * Makes a transparent RGBA32F image of the viewport's size the draw target. To be paired with
+   * End().
+   * With two layers there are two such images, gl_FragData[0] and [1]. `depth`, of the same size,
+   * becomes the depth buffer.
    * Keep: the images keep what they hold. Returns false when the framebuffer is not complete.
    */
   enum Content
@@ -48,10 +51,15 @@ public:
   void End(vtkOpenGLRenderWindow* window);
   /** The image of a layer. */
   vtkTextureObject* GetTexture(int layer) const { return this->Colors[layer]; }
-  /** Lays the first image (premultiplied colours) over the viewport of the bound framebuffer, interpolated if it has fewer pixels. */
+  /**
+   * Lays the first image (premultiplied colours) over the viewport of the bound framebuffer,
+   * interpolated if it has fewer pixels.
+   */
   void Overlay(vtkOpenGLRenderWindow* window, const int viewport[4]);
 
-  /** Copies the first image into `image` as the float point array "RGBA"; false if there is none. */
+  /**
+   * Copies the first image into `image` as the float point array "RGBA"; false if there is none.
+   */
   bool CopyTo(vtkOpenGLRenderWindow* window, vtkImageData* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -12,8 +12,8 @@ namespace nephoscope
 {
 
 /**
- * What windows of VTK keep of resources, and call in their own context before they close, has no header that is installed. Texture
- * objects have it built in: this one has no texture.
+ * What windows of VTK keep of resources, and call in their own context before they close, has no
+ * header that is installed. Texture objects have it built in: this one has no texture.
  */
 class ResourceWindow::Registered : public vtkTextureObject
 {
@@ -21,7 +21,8 @@ public:
   static Registered* New();
   vtkTypeMacro(Registered, vtkTextureObject);
 
-  // Called by anybody, the superclass makes the context current and calls again; called by the window, it does not.
+  // Called by anybody, the superclass makes the context current and calls again; called by the
+  // window, it does not.
   void ReleaseGraphicsResources(vtkWindow* window) override
   {
     if (!this->Asking)

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The one window that graphics resources are in. Names of OpenGL objects mean something else in every other context, so all that
- * has such objects keeps one of these, and releases them when it says so: always in the context of that window.
+ * The one window that graphics resources are in. Names of OpenGL objects mean something else in
+ * every other context, so all that has such objects keeps one of these, and releases them when it
+ * says so: always in the context of that window.
  *
  *     Enter(window)    before objects are made; those in another window are released first
- *     Leave(window)    from ReleaseGraphicsResources, which props and renderers call with whatever window is theirs
- *     by itself        when the window closes, whether or not it knows the mapper, and when the owner of this object goes
+ *     Leave(window)    from ReleaseGraphicsResources, which props and renderers call with
+ *                      whatever window is theirs
+ *     by itself        when the window closes, whether or not it knows the mapper, and when the
+ *                      owner of this object goes
  *
  * It is declared after all that it releases, so that it goes first.
  */

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Gives each kind of a program's samplers a texture unit of its own, at the end of the units, before a pass sets those that it uses.
+ * Gives each kind of a program's samplers a texture unit of its own, at the end of the units,
+ * before a pass sets those that it uses.
  *
- * Samplers begin at unit 0. Two of different kinds at one unit make every draw an error (GL_INVALID_OPERATION), although the program may
- * read neither: a driver may count samplers as active in code that is never reached.
+ * Samplers begin at unit 0. Two of different kinds at one unit make every draw an error
+ * (GL_INVALID_OPERATION), although the program may read neither: a driver may count samplers as
+ * active in code that is never reached.
  */
 #ifndef nephoscope_SamplersApart_h
 #define nephoscope_SamplersApart_h

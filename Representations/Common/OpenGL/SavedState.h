@@ -11,7 +11,10 @@
 namespace nephoscope
 {
 
-/** Restores the state when its scope ends; VTK itself has no guard for the blend equation, which peeling sets. */
+/**
+ * Restores the state when its scope ends; VTK itself has no guard for the blend equation, which
+ * peeling sets.
+ */
 class SavedState
 {
 public:

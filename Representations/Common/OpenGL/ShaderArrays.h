@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * How shaders read the arrays of BufferTexture: `uniform FloatArray a; ... element(a, i)`, and IntegerArray. What the two types are goes
- * where a shader names `//NEPHOSCOPE::Arrays`.
+ * How shaders read the arrays of BufferTexture: `uniform FloatArray a; ... element(a, i)`, and
+ * IntegerArray. What the two types are goes where a shader names `//NEPHOSCOPE::Arrays`.
  *
- * They are buffer textures, which may be as small as 65,536 elements (GL_MAX_TEXTURE_BUFFER_SIZE). Where they are, arrays are 2-D textures
- * with rows of a power of two.
+ * They are buffer textures, which may be as small as 65,536 elements (GL_MAX_TEXTURE_BUFFER_SIZE).
+ * Where they are, arrays are 2-D textures with rows of a power of two.
  */
 #ifndef nephoscope_ShaderArrays_h
 #define nephoscope_ShaderArrays_h

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The text of a shader put together: a line `//NEPHOSCOPE::Name` in it is where the part of that name goes. Parts may name
- * parts that come later in the list.
+ * The text of a shader put together: a line `//NEPHOSCOPE::Name` in it is where the part of that
+ * name goes. Parts may name parts that come later in the list.
  */
 #ifndef nephoscope_ShaderParts_h
 #define nephoscope_ShaderParts_h

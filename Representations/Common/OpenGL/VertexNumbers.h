@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Numbers that a vertex shader gets one after the other: what it draws, in order. Integers of 32 bits stay integers, which
- * vtkOpenGLVertexArrayObject would make floats of.
+ * Numbers that a vertex shader gets one after the other: what it draws, in order. Integers of 32
+ * bits stay integers, which vtkOpenGLVertexArrayObject would make floats of.
  *
- * An attribute rather than an array indexed by gl_VertexID: Mesa's softpipe restarts the vertex count after some thousands.
+ * An attribute rather than an array indexed by gl_VertexID: Mesa's softpipe restarts the vertex
+ * count after some thousands.
  */
 #ifndef nephoscope_VertexNumbers_h
 #define nephoscope_VertexNumbers_h

@@ -34,7 +34,8 @@ Box BoxOf(vtkImageData* image)
   return box;
 }
 
-// The cells of an image that have their centre between two bounds: first and last index along each axis. False without any.
+// The cells of an image that have their centre between two bounds: first and last index along each
+// axis. False without any.
 bool CellsWithin(vtkImageData* image, const double bounds[6], int range[6])
 {
   const double* origin = image->GetOrigin();

@@ -16,7 +16,10 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** The treatment of points where blocks of 3-D cells abut: each block keeps its own, or coincident points are merged. */
+/**
+ * The treatment of points where blocks of 3-D cells abut: each block keeps its own, or coincident
+ * points are merged.
+ */
 enum class BorderPoints
 {
   Kept,
@@ -24,8 +27,10 @@ enum class BorderPoints
 };
 
 /**
- * `input` itself (a shallow copy) if it is a dataset that counts, or the blocks of a composite that do, appended. Null without any. Arrays that differ
- * in type between blocks become double; an array that only some blocks have is missing (NaN) in the others; blocks without ghost flags, beside some with them, get flags of 0.
+ * `input` itself (a shallow copy) if it is a dataset that counts, or the blocks of a composite that
+ * do, appended. Null without any. Arrays that differ in type between blocks become double; an array
+ * that only some blocks have is missing (NaN) in the others; blocks without ghost flags, beside
+ * some with them, get flags of 0.
  */
 VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT vtkSmartPointer<vtkDataSet> AppendedBlocks(vtkDataObject* input,
   const std::function<bool(vtkDataSet*)>& counts, BorderPoints border = BorderPoints::Kept);

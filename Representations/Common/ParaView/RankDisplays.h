@@ -10,7 +10,8 @@ namespace nephoscope
 {
 
 /**
- * Why ranks will wait for one another for ever: some can draw and others cannot. Empty where all can, or none; and from the second call on. Collective.
+ * Why ranks will wait for one another for ever: some can draw and others cannot. Empty where all
+ * can, or none; and from the second call on. Collective.
  */
 std::string WhyRanksWait();
 

@@ -15,8 +15,8 @@ namespace nephoscope
 {
 
 /**
- * Calls send(rank) and receive(rank) for each other rank. Pairs of ranks meet in one order everywhere, so that nobody waits for somebody
- * who waits. Collective.
+ * Calls send(rank) and receive(rank) for each other rank. Pairs of ranks meet in one order
+ * everywhere, so that nobody waits for somebody who waits. Collective.
  */
 template <typename Send, typename Receive>
 void MeetOtherRanks(vtkMultiProcessController* controller, const Send& send, const Receive& receive)
@@ -39,7 +39,10 @@ void MeetOtherRanks(vtkMultiProcessController* controller, const Send& send, con
   }
 }
 
-/** The records, plain data, that each rank has for this one; `own`: those that this one has for each rank. Collective. */
+/**
+ * The records, plain data, that each rank has for this one; `own`: those that this one has for each
+ * rank. Collective.
+ */
 template <typename Record>
 std::vector<std::vector<Record>> TradeRecords(
   vtkMultiProcessController* controller, const std::vector<std::vector<Record>>& own)

@@ -14,7 +14,10 @@
 namespace nephoscope
 {
 
-/** A place that another rank has too: its number among the places of this rank, and the place, rounded, as both have it. */
+/**
+ * A place that another rank has too: its number among the places of this rank, and the place,
+ * rounded, as both have it.
+ */
 struct SharedPlace
 {
   std::size_t Index;
@@ -23,8 +26,9 @@ struct SharedPlace
 };
 
 /**
- * All of this rank's places that other ranks have, once for each of them, to the rounding of double: pieces of a grid share the points of their borders. Only
- * places inside the bounds of another rank are exchanged. Collective.
+ * All of this rank's places that other ranks have, once for each of them, to the rounding of
+ * double: pieces of a grid share the points of their borders. Only places inside the bounds of
+ * another rank are exchanged. Collective.
  */
 VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT std::vector<SharedPlace> PlacesOfSeveralRanks(
   const std::vector<Vector3>& places);

@@ -26,7 +26,10 @@ constexpr RankRegion wholeSpace{ { -noBorder, noBorder, -noBorder, noBorder, -no
 /** That of this rank; all space where the view has not divided the data. */
 VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT RankRegion RegionOfRank(vtkView* view);
 
-/** False where the view has divided the data and none of it is this rank's: there are fewer parts than ranks. */
+/**
+ * False where the view has divided the data and none of it is this rank's: there are fewer parts
+ * than ranks.
+ */
 VTKNEPHOSCOPEPARAVIEWCOMMON_EXPORT bool HasRegion(vtkView* view);
 
 /** The boxes of all ranks, by their numbers; null where the view has not divided the data. */

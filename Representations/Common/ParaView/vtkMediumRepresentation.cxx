@@ -36,7 +36,8 @@
 
 namespace
 {
-// Travels with the data as a field array, so that every time step in ParaView's cache keeps its own.
+// Travels with the data as a field array, so that every time step in ParaView's cache keeps its
+// own.
 const char* const unitDistanceName = "NephoscopeUnitDistance";
 const char* const boundsName = "NephoscopeSeenBounds";
 const char* const scalarRangeName = "NephoscopeOpacityRange";
@@ -59,8 +60,10 @@ vtkSmartPointer<vtkDataSet> WithIdsAsNumbers(vtkDataSet* data)
   return copy;
 }
 
-// ParaView makes the range of equal values wider by 2.4e-4 of the value: a ramp over it is transparent at the values.
-// The ramp over one value that ParaView makes; what has more nodes somebody has chosen: 0 of rain is no rain.
+// ParaView makes the range of equal values wider by 2.4e-4 of the value: a ramp over it is
+// transparent at the values.
+// The ramp over one value that ParaView makes; what has more nodes somebody has chosen: 0 of rain
+// is no rain.
 bool IsOverOneValue(vtkPiecewiseFunction* function, double value)
 {
   if (function->GetSize() > 2)
@@ -303,7 +306,8 @@ void vtkMediumRepresentation::PrepareMapper(vtkDataSet* data)
   this->ConstantProperty->SetScalarOpacityUnitDistance(this->ActualUnitDistance);
 }
 
-// Equal values are a uniform medium, unless the user has made an opacity function for them: then a warning tells why nothing is drawn.
+// Equal values are a uniform medium, unless the user has made an opacity function for them: then a
+// warning tells why nothing is drawn.
 vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, const char* name)
 {
   vtkPiecewiseFunction* opacity = this->Property->GetScalarOpacity();
@@ -358,7 +362,8 @@ vtkVolumeProperty* vtkMediumRepresentation::ChooseProperty(vtkDataSet* data, con
   return this->ConstantProperty;
 }
 
-// An array chosen for the opacity is read by the function of the coloured one unless it gets its own.
+// An array chosen for the opacity is read by the function of the coloured one unless it gets its
+// own.
 std::string vtkMediumRepresentation::WhyTransparent(
   vtkDataSet* data, vtkPiecewiseFunction* opacity) const
 {

@@ -4,12 +4,14 @@
  * @class vtkMediumRepresentation
  * @brief what representations that draw a glowing, absorbing medium have in common
  *
- * A representation of this kind prepares a piece of data on each rank, hands it to the view and draws what the view delivers with
- * its own volume mapper. This class chooses the coloured array and the array for the opacity function, colours uniformly
- * under Solid Color, and gives extinction a length that suits the size of the data. It requests ordered compositing over ranks.
+ * A representation of this kind prepares a piece of data on each rank, hands it to the view and
+ * draws what the view delivers with its own volume mapper. This class chooses the coloured array
+ * and the array for the opacity function, colours uniformly under Solid Color, and gives extinction
+ * a length that suits the size of the data. It requests ordered compositing over ranks.
  *
- * A subclass sets the mapper of `Actor` when it is made, makes `Piece` and `DataBounds` in PreparePiece, says in DescribePiece
- * how the view may spread it over ranks, and forwards what else its mapper needs in PrepareMapper.
+ * A subclass sets the mapper of `Actor` when it is made, makes `Piece` and `DataBounds` in
+ * PreparePiece, says in DescribePiece how the view may spread it over ranks, and forwards what else
+ * its mapper needs in PrepareMapper.
  */
 #ifndef vtkMediumRepresentation_h
 #define vtkMediumRepresentation_h
@@ -35,11 +37,11 @@ public:
 
   ///@{
   /**
-   * Take the unit distance of the opacity from the data: the mean length of a ray inside the medium,
-   * times the mean over the volume of a ramp from 0 to 1 over the range of the scalar, divided by 2. With
-   * ParaView's default opacity function, which is that ramp, the mean optical depth is then 2, whatever the unit
-   * of length and however rare high values are. It does not follow the opacity function. Default: on. On: UnitDistance is
-   * ignored.
+   * Take the unit distance of the opacity from the data: the mean length of a ray inside the
+   * medium, times the mean over the volume of a ramp from 0 to 1 over the range of the scalar,
+   * divided by 2. With ParaView's default opacity function, which is that ramp, the mean optical
+   * depth is then 2, whatever the unit of length and however rare high values are. It does not
+   * follow the opacity function. Default: on. On: UnitDistance is ignored.
    */
   void SetAutomaticUnitDistance(bool automatic) { this->AutomaticUnitDistance = automatic; }
   bool GetAutomaticUnitDistance() const { return this->AutomaticUnitDistance; }
@@ -47,8 +49,8 @@ public:
 
   ///@{
   /**
-   * Length over which an opacity of 1 gives an optical depth of 1, in units of the data. 0 or less, by default: a tenth of the largest
-   * side of the bounds of the data.
+   * Length over which an opacity of 1 gives an optical depth of 1, in units of the data. 0 or less,
+   * by default: a tenth of the largest side of the bounds of the data.
    */
   void SetUnitDistance(double distance) { this->UnitDistance = distance; }
   double GetUnitDistance() const { return this->UnitDistance; }
@@ -62,8 +64,8 @@ public:
 
   ///@{
   /**
-   * Array that the opacity function reads, of points or cells; empty or "None" (default): the coloured array. The automatic unit
-   * distance depends on it.
+   * Array that the opacity function reads, of points or cells; empty or "None" (default): the
+   * coloured array. The automatic unit distance depends on it.
    */
   void SetOpacityArray(const char* name);
   const char* GetOpacityArray() const { return this->OpacityArray.c_str(); }
@@ -76,7 +78,10 @@ public:
   ///@}
 
   ///@{
-  /** Position of the data in the display; on several ranks the data are moved, because ParaView divides them and orders ranks by the positions of the data themselves. */
+  /**
+   * Position of the data in the display; on several ranks the data are moved, because ParaView
+   * divides them and orders ranks by the positions of the data themselves.
+   */
   void SetOrientation(double x, double y, double z);
   void SetOrigin(double x, double y, double z);
   void SetPosition(double x, double y, double z);
@@ -102,15 +107,21 @@ protected:
 
   /** Whether a block of a composite input is drawn if it has the coloured array. */
   virtual bool DrawsBlock(vtkDataObject* block) const = 0;
-  /** Makes `Piece` and `DataBounds` of this rank's input, which may be null. Called by all ranks. */
+  /**
+   * Makes `Piece` and `DataBounds` of this rank's input, which may be null. Called by all ranks.
+   */
   virtual void PreparePiece(vtkDataObject* input) = 0;
-  /** Moves `Piece`, which is not null, and `DataBounds`. Called by all ranks, if there are several. */
+  /**
+   * Moves `Piece`, which is not null, and `DataBounds`. Called by all ranks, if there are several.
+   */
   virtual void MovePiece(vtkMatrix4x4* matrix);
   /** The last change of `Piece`, where it has been moved to. Called by all ranks. */
   virtual void FinishPiece() {}
   /** Describes the piece to the view; subclasses add how it may be distributed over ranks. */
   virtual void DescribePiece(vtkInformation* inInfo);
-  /** Called by all ranks, with what the view delivered, which may be null; returns what is drawn. */
+  /**
+   * Called by all ranks, with what the view delivered, which may be null; returns what is drawn.
+   */
   virtual vtkDataSet* CompletePiece(vtkDataSet* data, vtkInformation*) { return data; }
   /** Makes the mapper ready to draw a delivered piece, which holds something. */
   virtual void PrepareMapper(vtkDataSet* data);
@@ -125,11 +136,14 @@ protected:
   static bool IsFirstRank();
   /** The minimum over the ranks. Called by all ranks. */
   static int MinimumOverRanks(int mine);
-  /** Whether the input of any rank, which may be null, has points or cells; what has not is reported by whoever made it. Called by all ranks. */
+  /**
+   * Whether the input of any rank, which may be null, has points or cells; what has not is reported
+   * by whoever made it. Called by all ranks.
+   */
   static bool HoldsAnything(vtkDataObject* input);
   /**
-   * Stores the automatic unit distance, and the range of what decides how opaque the medium is, with the data, so that every time step in
-   * ParaView's cache keeps its own.
+   * Stores the automatic unit distance, and the range of what decides how opaque the medium is,
+   * with the data, so that every time step in ParaView's cache keeps its own.
    */
   static void StoreMeasures(vtkDataSet* data, double distance, const double range[2]);
   void StoreBounds();
@@ -137,13 +151,20 @@ protected:
   std::string GetOpacityArrayName() const; // empty for "None"
   vtkDataArray* FindColorArray(vtkDataSet* data, int& association, const char*& name);
   /**
-   * Chooses the opacity function and returns the array that it reads; empty: the coloured one. Where no array is chosen for the opacity, clouds
-   * that are coloured by the light of vtkSunlight have the extinction that it was computed for.
+   * Chooses the opacity function and returns the array that it reads; empty: the coloured one.
+   * Where no array is chosen for the opacity, clouds that are coloured by the light of vtkSunlight
+   * have the extinction that it was computed for.
    */
   virtual std::string PrepareOpacity(vtkDataSet* data);
-  /** Draws with an opacity proportional to the array; with `isExtinction` the optical depth of a length is that of the array. */
+  /**
+   * Draws with an opacity proportional to the array; with `isExtinction` the optical depth of a
+   * length is that of the array.
+   */
   void FollowDensity(vtkDataArray* density, bool isExtinction);
-  /** The array that determines the opacity of the medium: the chosen one, otherwise the coloured one. */
+  /**
+   * The array that determines the opacity of the medium: the chosen one, otherwise the coloured
+   * one.
+   */
   virtual vtkDataArray* FindOpacityArray(vtkDataSet* data, int& association);
 
   vtkNew<vtkVolumeProperty> UniformProperty;

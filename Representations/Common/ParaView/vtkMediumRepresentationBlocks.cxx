@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks without the coloured array, or without that for the opacity, beside others that have it; data without it.
+// Blocks without the coloured array, or without that for the opacity, beside others that have it;
+// data without it.
 #include "vtkMediumRepresentation.h"
 
 #include "DrawnBlocks.h"

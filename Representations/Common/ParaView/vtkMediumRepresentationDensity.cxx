@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Media whose opacity is an array, without an opacity function: smoke by its density, lit clouds by the extinction that their light was
-// computed for.
+// Media whose opacity is an array, without an opacity function: smoke by its density, lit clouds by
+// the extinction that their light was computed for.
 #include "vtkMediumRepresentation.h"
 
 #include "vtkAbstractVolumeMapper.h"

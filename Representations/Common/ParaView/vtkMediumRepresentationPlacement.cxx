@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Position, Orientation, Scale and Origin of the display: of the prop on one rank, of the data on several.
+// Position, Orientation, Scale and Origin of the display: of the prop on one rank, of the data on
+// several.
 #include "vtkMediumRepresentation.h"
 
 #include "DataBlocks.h"

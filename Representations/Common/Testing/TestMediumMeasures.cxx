@@ -13,7 +13,8 @@ namespace
 {
 const MediumBounds cube = { { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } };
 
-// Cubes of a lattice that fill the frame, with a scalar at their middles, which is the opacity, too.
+// Cubes of a lattice that fill the frame, with a scalar at their middles, which is the opacity,
+// too.
 template <typename Scalar>
 MediumMeasures MeasureLattice(int count, const Scalar& scalar)
 {
@@ -50,7 +51,8 @@ TEST(MediumMeasures, SpreadMediumHasMeanOpticalDepth2)
 
 TEST(MediumMeasures, SmallDenseMediumIsAsInClosedForm)
 {
-  // The square of a Gaussian picture has the mean pi sigma^2 / 4, the Gaussian has 2 pi sigma^2 / 4: localization 1 / (pi sigma^2).
+  // The square of a Gaussian picture has the mean pi sigma^2 / 4, the Gaussian has 2 pi sigma^2 /
+  // 4: localization 1 / (pi sigma^2).
   for (const double sigma : { 0.15, 0.2, 0.25, 0.3 })
   {
     const MediumMeasures measures =

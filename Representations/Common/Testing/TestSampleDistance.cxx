@@ -40,7 +40,8 @@ TEST(SampleDistance, IsOneAtRest)
   }
 }
 
-// From the third picture of a movement on, though the only picture before was the one that compiled shaders; and it stays.
+// From the third picture of a movement on, though the only picture before was the one that compiled
+// shaders; and it stays.
 TEST(SampleDistance, IsTheSmallestThatIsFastEnough)
 {
   for (const double fixed : { 0.0, 0.02 })

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Light towards the camera, from what vtkSunlight with FollowCamera writes: for light that goes in the direction d, at an angle to sunlight that makes its factors P and Q,
+ * Light towards the camera, from what vtkSunlight with FollowCamera writes: for light that goes in
+ * the direction d, at an angle to sunlight that makes its factors P and Q,
  *
- *     Sunlight + d . DiffuseFlux + P2(d . up) DiffuseSecondMoment + (P - 1) SingleScattering[0] + (Q - 1) SingleScattering[1]
+ *     Sunlight + d . DiffuseFlux + P2(d . up) DiffuseSecondMoment + (P - 1) SingleScattering[0] +
+ *     (Q - 1) SingleScattering[1]
  *
  * P2 is the Legendre polynomial.
  */
@@ -35,13 +37,16 @@ public:
   CameraLight(vtkDataSet* data, vtkDataArray* colors);
 
   bool IsUsed() const { return this->Phase != nullptr; }
-  /** Light towards the camera is cut off there, for the precision of what is drawn; 1 is the light of a white surface. */
+  /**
+   * Light towards the camera is cut off there, for the precision of what is drawn; 1 is the light
+   * of a white surface.
+   */
   static constexpr double Brightest = 64;
   /** By how much, at most, light towards the camera exceeds Sunlight; not more than Brightest. */
   double Headroom() const;
   /**
-   * For each point, as fractions of `width`: DiffuseFlux, SingleScattering[0]; SingleScattering[1], up times the root of the absolute DiffuseSecondMoment, whose sign is that
-   * of the fifth number.
+   * For each point, as fractions of `width`: DiffuseFlux, SingleScattering[0]; SingleScattering[1],
+   * up times the root of the absolute DiffuseSecondMoment, whose sign is that of the fifth number.
    */
   std::vector<std::array<float, 4>> Parts(double width) const;
   /** P - 1 and Q - 1, evenly spaced from 0 to 180 degrees. */

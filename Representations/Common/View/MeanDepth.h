@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The depth at the centres of the pixels of a multisampled framebuffer: the mean of their samples. */
+/**
+ * The depth at the centres of the pixels of a multisampled framebuffer: the mean of their samples.
+ */
 #ifndef nephoscope_MeanDepth_h
 #define nephoscope_MeanDepth_h
 
@@ -31,8 +33,9 @@ public:
   MeanDepth& operator=(const MeanDepth&) = delete;
 
   /**
-   * Writes the mean depth to a region (x, y, width, height) of the bound framebuffer, whose lower left pixel is at `corner` of the samples. False: nothing
-   * was written, since the shader did not compile.
+   * Writes the mean depth to a region (x, y, width, height) of the bound framebuffer, whose lower
+   * left pixel is at `corner` of the samples. False: nothing was written, since the shader did not
+   * compile.
    */
   bool Draw(vtkOpenGLRenderWindow* window, const DepthSamples& samples, const int corner[2],
     const int region[4]);

@@ -20,7 +20,8 @@ GLint AttachmentParameter(GLenum attachment, GLenum name)
   return value;
 }
 
-// From the lower left pixel of a framebuffer's region to a region of the bound one, of the same size.
+// From the lower left pixel of a framebuffer's region to a region of the bound one, of the same
+// size.
 void BlitDepth(GLuint source, const int corner[2], const int region[4])
 {
   GLint destination = 0;
@@ -46,8 +47,9 @@ int DepthTextureFormat(int bits, int type)
 OpaqueDepth::OpaqueDepth() = default;
 OpaqueDepth::~OpaqueDepth() = default;
 
-// glBlitFramebuffer copies depth between equal formats only: ask for that of the source. Attachments of the
-// window system's framebuffer (binding 0) have other names than those of framebuffer objects.
+// glBlitFramebuffer copies depth between equal formats only: ask for that of the source.
+// Attachments of the window system's framebuffer (binding 0) have other names than those of
+// framebuffer objects.
 OpaqueDepth::Format OpaqueDepth::DrawFramebufferFormat()
 {
   GLint binding = 0;

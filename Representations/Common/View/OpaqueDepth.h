@@ -28,14 +28,22 @@ public:
   OpaqueDepth& operator=(const OpaqueDepth&) = delete;
 
   /**
-   * Copies the depth of the bound draw framebuffer inside `viewport` (x, y, width, height in pixels) into a texture of
-   * that size, or only a region of it (x, y, width, height in the viewport). Framebuffer bindings are restored. In multisampled buffers it is the depth at the centres of the pixels (MeanDepth.h).
+   * Copies the depth of the bound draw framebuffer inside `viewport` (x, y, width, height in
+   * pixels) into a texture of that size, or only a region of it (x, y, width, height in the
+   * viewport). Framebuffer bindings are restored. In multisampled buffers it is the depth at the
+   * centres of the pixels (MeanDepth.h).
    */
   void Copy(vtkOpenGLRenderWindow* window, const int viewport[4], const int* region = nullptr);
-  /** Picks the copy's depths at the centres of `width` times `height` larger pixels; GetTexture() gives them until the next copy. */
+  /**
+   * Picks the copy's depths at the centres of `width` times `height` larger pixels; GetTexture()
+   * gives them until the next copy.
+   */
   void Coarsen(vtkOpenGLRenderWindow* window, int width, int height);
 
-  /** A second copy of GetTexture(), so that one can be the depth buffer while shaders read the other. */
+  /**
+   * A second copy of GetTexture(), so that one can be the depth buffer while shaders read the
+   * other.
+   */
   vtkTextureObject* Duplicate(vtkOpenGLRenderWindow* window);
 
   /** Depth in [0, 1], one texel per pixel of the viewport. */

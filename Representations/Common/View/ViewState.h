@@ -29,8 +29,9 @@ struct SceneView
   double EyeView[4] = { 0, 0, 0, 1 };
 };
 
-// The point where all rays meet, (x, y, z, 1), or the direction towards the eye with the length of a unit in view
-// coordinates, (x, y, z, 0). `clip` maps coordinates to homogeneous device coordinates.
+// The point where all rays meet, (x, y, z, 1), or the direction towards the eye with the length of
+// a unit in view coordinates, (x, y, z, 0). `clip` maps coordinates to homogeneous device
+// coordinates.
 inline Vector4 FindEye(vtkMatrix4x4* clip)
 {
   vtkNew<vtkMatrix4x4> inverse;
@@ -47,8 +48,11 @@ inline bool IsParallelProjection(vtkMatrix4x4* viewToDevice)
     viewToDevice->GetElement(3, 2) == 0;
 }
 
-/** For shaders: a depth in [0, 1] is at z = (x + y e) / (z + w e) in view coordinates, where e = 1 - depth: counted from the far plane, where
- * most depths lie in a perspective projection, nothing cancels in float. */
+/**
+ * For shaders: a depth in [0, 1] is at z = (x + y e) / (z + w e) in view coordinates, where e = 1 -
+ * depth: counted from the far plane, where most depths lie in a perspective projection, nothing
+ * cancels in float.
+ */
 inline std::array<float, 4> DepthToViewOf(vtkMatrix4x4* viewToDevice)
 {
   const double m22 = viewToDevice->GetElement(2, 2);

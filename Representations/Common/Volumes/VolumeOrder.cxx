@@ -104,7 +104,10 @@ Volumes DrawnVolumes(vtkRenderer* renderer)
   return volumes;
 }
 
-/** -1: the low side of an axis is in front, 1: the high side; 0: no ray meets both. `low` and `high` bound a gap. */
+/**
+ * -1: the low side of an axis is in front, 1: the high side; 0: no ray meets both. `low` and `high`
+ * bound a gap.
+ */
 int SideInFront(vtkCamera* camera, int axis, double low, double high)
 {
   const double eye = camera->GetPosition()[axis];

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The order in which the volumes of a renderer are drawn: from back to front, whichever was added first. VTK draws them as they were added.
+ * The order in which the volumes of a renderer are drawn: from back to front, whichever was added
+ * first. VTK draws them as they were added.
  *
- * Mappers enrol themselves. The first of a renderer's enrolled volumes that VTK draws, draws all of them, from back to front; the others
- * then draw nothing. Volumes whose boxes are apart are in order exactly. Those that overlap are drawn in slices of depth (VolumeSlices.h),
- * unless their mappers draw them as one medium.
+ * Mappers enrol themselves. The first of a renderer's enrolled volumes that VTK draws, draws all of
+ * them, from back to front; the others then draw nothing. Volumes whose boxes are apart are in
+ * order exactly. Those that overlap are drawn in slices of depth (VolumeSlices.h), unless their
+ * mappers draw them as one medium.
  */
 #ifndef nephoscope_VolumeOrder_h
 #define nephoscope_VolumeOrder_h

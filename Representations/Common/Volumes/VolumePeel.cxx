@@ -28,8 +28,9 @@ namespace nephoscope
 {
 namespace
 {
-// The pass ends with the first peel that puts nothing into the back. In front of opaque geometry only the frontmost surface
-// has been peeled by then: two ranges that end at the opaque depth say that there are more. The least alpha keeps it going.
+// The pass ends with the first peel that puts nothing into the back. In front of opaque geometry
+// only the frontmost surface has been peeled by then: two ranges that end at the opaque depth say
+// that there are more. The least alpha keeps it going.
 const char* const keepPeeling =
   "  if (calls == 2 && lastFar >= texelFetch(opaqueDepthTex, pixel, 0).x)\n"
   "  {\n"
@@ -148,8 +149,8 @@ bool VolumePeel::DrawRanges(
   return query.End();
 }
 
-// Light is mixed with what the targets hold in the shader: the pass leaves them with GL_MAX, and blending in 8 bits
-// would round once more.
+// Light is mixed with what the targets hold in the shader: the pass leaves them with GL_MAX, and
+// blending in 8 bits would round once more.
 void VolumePeel::CopyTargets(vtkOpenGLRenderWindow* window, unsigned int count)
 {
   vtkOpenGLState* state = window->GetState();

@@ -166,8 +166,9 @@ void VolumeSlices::Draw(
   }
 }
 
-// From front to back. Without a peel two slices are drawn at once, as the two ranges of a peel. Rays that lie in one volume at a time are
-// drawn in the first and the last slice, of all depths (SliceRanges); the others have only what is between their planes.
+// From front to back. Without a peel two slices are drawn at once, as the two ranges of a peel.
+// Rays that lie in one volume at a time are drawn in the first and the last slice, of all depths
+// (SliceRanges); the others have only what is between their planes.
 void VolumeSlices::DrawSlices(
   vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw)
 {

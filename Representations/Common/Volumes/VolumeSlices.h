@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Draws volumes that overlap in space but use different methods, such as cells and splats, in slices of depth.
+ * Draws volumes that overlap in space but use different methods, such as cells and splats, in
+ * slices of depth.
  *
- * Every volume draws its part of a slice into an image of its own, as it answers a peel (VolumePeel.h). In a slice all of them are one
- * medium: optical depths add, and each shines in proportion to its own. With colours and extinctions that are constant in a slice this is
- * exact; where they change, the error falls with the square of the number of slices.
+ * Every volume draws its part of a slice into an image of its own, as it answers a peel
+ * (VolumePeel.h). In a slice all of them are one medium: optical depths add, and each shines in
+ * proportion to its own. With colours and extinctions that are constant in a slice this is exact;
+ * where they change, the error falls with the square of the number of slices.
  */
 #ifndef nephoscope_VolumeSlices_h
 #define nephoscope_VolumeSlices_h
@@ -41,7 +43,10 @@ public:
   VolumeSlices& operator=(const VolumeSlices&) = delete;
 
   using Drawer = std::function<void(vtkRenderer*, vtkVolume*)>;
-  /** Where the boxes of two volumes overlap there are so many slices; a quarter of them while the camera moves. */
+  /**
+   * Where the boxes of two volumes overlap there are so many slices; a quarter of them while the
+   * camera moves.
+   */
   static constexpr int Count = 32;
 
   void Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw);
@@ -50,7 +55,10 @@ public:
   static VolumeSlices* GetCurrent();
   /** Depths in [0, 1] between which volumes are asked to draw now, in any pixel. */
   std::array<float, 2> GetDepths() const { return this->Depths; }
-  /** The same as distances from the eye's plane; the lowest and the greatest double where there is no end. */
+  /**
+   * The same as distances from the eye's plane; the lowest and the greatest double where there is
+   * no end.
+   */
   std::array<double, 2> GetDistances() const { return this->Distances; }
   /** Whether this is the front of the rays, which has an end in every pixel, but no beginning. */
   bool IsFront() const { return this->Front; }

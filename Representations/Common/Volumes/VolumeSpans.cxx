@@ -29,7 +29,9 @@ namespace
 {
 constexpr double margin = 1.0e-4; // of the box around all, more than single precision errs
 
-/** Area in device coordinates of the rectangle around a box on the screen; the whole screen has 4. */
+/**
+ * Area in device coordinates of the rectangle around a box on the screen; the whole screen has 4.
+ */
 double AreaOf(const vtkBoundingBox& box, vtkMatrix4x4* worldToDevice)
 {
   vtkBoundingBox seen;

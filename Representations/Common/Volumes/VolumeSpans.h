@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Where the ray of each pixel lies in the boxes of two volumes or more, which is where it has to be drawn in slices (VolumeSlices.h).
+ * Where the ray of each pixel lies in the boxes of two volumes or more, which is where it has to be
+ * drawn in slices (VolumeSlices.h).
  */
 #ifndef nephoscope_VolumeSpans_h
 #define nephoscope_VolumeSpans_h
@@ -32,7 +33,10 @@ public:
   /** With more volumes than this every ray is drawn in slices all the way. */
   static constexpr std::size_t Most = 16;
 
-  /** Whether much of what the volumes cover is covered by one at a time: otherwise it is quicker to draw all rays in slices. */
+  /**
+   * Whether much of what the volumes cover is covered by one at a time: otherwise it is quicker to
+   * draw all rays in slices.
+   */
   static bool AreWorthwhile(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes);
   /** Near and far depth in a texture of the viewport's size; null if there is none. */
   vtkTextureObject* Draw(

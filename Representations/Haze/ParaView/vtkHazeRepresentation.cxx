@@ -32,7 +32,8 @@ void TakeMaximumOfRanks(double* numbers, int count)
   }
 }
 
-// If ranks have boxes, the view blends their pictures in the order of these. Otherwise it takes the nearest fragment of all ranks.
+// If ranks have boxes, the view blends their pictures in the order of these. Otherwise it takes the
+// nearest fragment of all ranks.
 vtkHaze::SkyOfRank LookForSkyOfRank(vtkPVRenderView* view)
 {
   using Sky = vtkHaze::SkyOfRank;

@@ -4,8 +4,9 @@
  * @class vtkHazeRepresentation
  * @brief the haze of a render view: one switch for everything in it
  *
- * While it is visible its vtkHaze is that of the view's renderer; of several the one shown last. Each rank hazes its own fragments before they are
- * composited. One rank draws the haze in front of the background, as the farthest layer.
+ * While it is visible its vtkHaze is that of the view's renderer; of several the one shown last.
+ * Each rank hazes its own fragments before they are composited. One rank draws the haze in front of
+ * the background, as the farthest layer.
  */
 #ifndef vtkHazeRepresentation_h
 #define vtkHazeRepresentation_h

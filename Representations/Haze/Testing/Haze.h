@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Haze whose density falls exponentially with altitude, density = exp(-h): the length X of air of the density at altitude 0 that lies along
- * a ray. With extinction k at altitude 0 light is dimmed by the transparency T = exp(-k X), and haze of the colour C adds C (1 - T).
+ * Haze whose density falls exponentially with altitude, density = exp(-h): the length X of air of
+ * the density at altitude 0 that lies along a ray. With extinction k at altitude 0 light is dimmed
+ * by the transparency T = exp(-k X), and haze of the colour C adds C (1 - T).
  *
- * All lengths are in scale heights. Nothing here overflows or cancels in 32-bit float; shaders/Haze.glsl is the same for shaders.
+ * All lengths are in scale heights. Nothing here overflows or cancels in 32-bit float;
+ * shaders/Haze.glsl is the same for shaders.
  */
 #ifndef nephoscope_Haze_h
 #define nephoscope_Haze_h
@@ -16,7 +18,10 @@
 namespace nephoscope
 {
 
-/** exp(x^2) erfc(x), x >= 0: (1 + 2 x) of it is a polynomial in (x - 3) / (x + 3); relative error below 8e-8. */
+/**
+ * exp(x^2) erfc(x), x >= 0: (1 + 2 x) of it is a polynomial in (x - 3) / (x + 3); relative error
+ * below 8e-8.
+ */
 template <typename Real>
 Real ScaledErfc(Real x)
 {
@@ -41,8 +46,9 @@ Real MeanDecay(Real x)
 }
 
 /**
- * int_0^1 exp(-front t - (back - front) t^2 / 2) dt, 0 <= front <= back: the mean transparency of a segment whose extinction rises
- * (Psi of WilliamsMax1992). By Gauss-Legendre quadrature where thin, else by the error function.
+ * int_0^1 exp(-front t - (back - front) t^2 / 2) dt, 0 <= front <= back: the mean transparency of a
+ * segment whose extinction rises (Psi of WilliamsMax1992). By Gauss-Legendre quadrature where thin,
+ * else by the error function.
  */
 template <typename Real>
 Real MeanTransparency(Real front, Real back)
@@ -81,7 +87,10 @@ Real FlatHazeLength(Real altitude1, Real altitude2, Real length)
     MeanDecay(std::abs(altitude2 - altitude1));
 }
 
-/** A ray over flat ground, up to where there is no haze, or down to altitude 0; `rise` is the sine of its elevation. */
+/**
+ * A ray over flat ground, up to where there is no haze, or down to altitude 0; `rise` is the sine
+ * of its elevation.
+ */
 template <typename Real>
 Real FlatHazeLengthToSky(Real altitude, Real rise)
 {
@@ -104,7 +113,10 @@ Real HazeNorm(const HazeVector<Real>& a)
   return std::sqrt(HazeDot(a, a));
 }
 
-/** A position around the centre of a planet. Its altitude is known better than the difference of two radii in float. */
+/**
+ * A position around the centre of a planet. Its altitude is known better than the difference of two
+ * radii in float.
+ */
 template <typename Real>
 struct HazePlace
 {
@@ -163,7 +175,10 @@ HazeSegment<Real> HazeSegmentOf(const HazePlace<Real>& from, const HazeVector<Re
   return s;
 }
 
-/** Rays near the horizon, or past it: error functions about the nearest place, with the first correction for curvature. */
+/**
+ * Rays near the horizon, or past it: error functions about the nearest place, with the first
+ * correction for curvature.
+ */
 template <typename Real>
 Real LevelHazeLength(const HazeSegment<Real>& s)
 {
@@ -182,7 +197,10 @@ Real LevelHazeLength(const HazeSegment<Real>& s)
   return std::max(Real(0), std::sqrt(2 * b) * (g + Real(0.75) / b * second));
 }
 
-/** Steep rays, from their lower end on: altitude along them as a parabola, as along a segment whose extinction rises. */
+/**
+ * Steep rays, from their lower end on: altitude along them as a parabola, as along a segment whose
+ * extinction rises.
+ */
 template <typename Real>
 Real SteepHazeLength(Real lowerRadius, Real lowerAltitude, Real sine, Real length)
 {

@@ -22,7 +22,10 @@ namespace nephoscope
 {
 namespace
 {
-/** Gauss's rule with three points along each axis of the hexahedron, and how much of the cell each stands for. */
+/**
+ * Gauss's rule with three points along each axis of the hexahedron, and how much of the cell each
+ * stands for.
+ */
 struct Rule
 {
   std::array<std::array<float, 8>, 27> Corner; ///< weights of the corners
@@ -30,7 +33,10 @@ struct Rule
   std::array<float, 8> Share{};                ///< of the cell, of each corner
 };
 
-/** The extent of the volume at a place within a hexahedron some of whose corners coincide, by those of the reference cell. */
+/**
+ * The extent of the volume at a place within a hexahedron some of whose corners coincide, by those
+ * of the reference cell.
+ */
 float Extent(int type, const double at[3])
 {
   switch (type)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * While points of several pixels are drawn: a viewport that is larger than the image, because a point is left out when its centre is
- * outside of the viewport.
+ * While points of several pixels are drawn: a viewport that is larger than the image, because a
+ * point is left out when its centre is outside of the viewport.
  */
 #ifndef nephoscope_PointMargin_h
 #define nephoscope_PointMargin_h

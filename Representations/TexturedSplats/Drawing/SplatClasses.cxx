@@ -21,10 +21,11 @@ namespace nephoscope
 
 namespace
 {
-// A fraction of the greatest extinction: samples with no more are transparent. The table of the transfer function holds no smaller share, so that at the
-// foot of a ramp there is rounding in place of 0. On a lattice those on a ray add up to this share of the ray's length at the greatest
-// extinction, by the ripple of the kernel 1.006 times as much: where a ray through nothing but the densest medium has an optical
-// depth of t, alpha is at most 1.006e-6 t too small.
+// A fraction of the greatest extinction: samples with no more are transparent. The table of the
+// transfer function holds no smaller share, so that at the foot of a ramp there is rounding in
+// place of 0. On a lattice those on a ray add up to this share of the ray's length at the greatest
+// extinction, by the ripple of the kernel 1.006 times as much: where a ray through nothing but the
+// densest medium has an optical depth of t, alpha is at most 1.006e-6 t too small.
 constexpr float leastShare = 1e-6f;
 
 std::vector<float> Interpolated(vtkDataSet* data, const ScalarSelection& dense,

@@ -18,7 +18,10 @@ namespace nephoscope
 
 struct SplatSamples;
 
-/** Visible samples with their appearance: red, green, blue, and extinction per unit length of the world, times their shares. */
+/**
+ * Visible samples with their appearance: red, green, blue, and extinction per unit length of the
+ * world, times their shares.
+ */
 struct SplatClasses
 {
   std::vector<std::int32_t> Samples;        ///< numbers of the samples, ascending
@@ -29,9 +32,11 @@ struct SplatClasses
 };
 
 /**
- * `scalars.Array` gives the colour, `opacity.Array`, or the same one if it is null, the extinction. Values that are not finite are
- * not seen, nor samples with at most a millionth of the greatest extinction. `keepTransparent`: samples without extinction stay too, for their vectors.
- * `interpolate`: samples at points have together the extinction of the cells between them (CellExtinction.h).
+ * `scalars.Array` gives the colour, `opacity.Array`, or the same one if it is null, the extinction.
+ * Values that are not finite are not seen, nor samples with at most a millionth of the greatest
+ * extinction. `keepTransparent`: samples without extinction stay too, for their vectors.
+ * `interpolate`: samples at points have together the extinction of the cells between them
+ * (CellExtinction.h).
  */
 SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
   const ScalarSelection& scalars, const ScalarSelection& opacity, vtkVolumeProperty* property,

@@ -49,7 +49,8 @@ void ForBlocks(std::size_t count, Body body)
   });
 }
 
-// One pass: items go to the places that the counts of their digit, in this block and those before it, give them.
+// One pass: items go to the places that the counts of their digit, in this block and those before
+// it, give them.
 void SortByDigit(const std::vector<Keyed>& from, std::vector<Keyed>& to, int shift)
 {
   std::vector<std::array<std::uint32_t, digits>> places(blocks);

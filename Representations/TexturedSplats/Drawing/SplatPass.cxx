@@ -48,10 +48,11 @@ namespace nephoscope
 {
 namespace
 {
-// Pixels: splats whose cell is smaller are spread over a pixel, whose own variance is that of a box, 1/12, over the kernel's.
+// Pixels: splats whose cell is smaller are spread over a pixel, whose own variance is that of a
+// box, 1/12, over the kernel's.
 constexpr double largeEnough = 1.0;
-constexpr double dotSize =
-  3.0; // square pixels: the sum of the squares of two half axes of a cell, below which splats are dots
+constexpr double dotSize = 3.0; // square pixels: the sum of the squares of two half axes of a cell,
+                                // below which splats are dots
 constexpr double pixelVarianceOfKernels = 1.0 / 12.0 / cubic_kernel::variance;
 constexpr float tailShare = 0.6f;     // of a streak's period, at full speed
 constexpr double streakSpacing = 1.0; // from row to row, in units of the vectors
@@ -72,7 +73,8 @@ std::array<float, 2> ZOfSlice(const std::array<float, 4>& depthToVC)
   return { ZOfDepth(depths[0], depthToVC), ZOfDepth(depths[1], depthToVC) };
 }
 
-// Vertices of quadrangles: the medium, or its halves behind and in front of streaks, or of two segments.
+// Vertices of quadrangles: the medium, or its halves behind and in front of streaks, or of two
+// segments.
 int VerticesOfSplat(const SplatDrawingOptions& options, bool nearEye)
 {
   const bool both = nearEye || !options.MediaApart;
@@ -272,7 +274,8 @@ std::string SplatPass::DrawAll(vtkOpenGLRenderWindow* window, const SceneView& v
   return error;
 }
 
-// Looking at the opaque depth costs as much as all else that is done for a pixel: it is left out where there is nothing to see.
+// Looking at the opaque depth costs as much as all else that is done for a pixel: it is left out
+// where there is nothing to see.
 bool SplatPass::HasOpaquePixels(vtkOpenGLRenderWindow* window)
 {
   vtkShaderProgram* program =

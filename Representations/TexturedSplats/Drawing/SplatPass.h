@@ -40,8 +40,9 @@ struct SplatDrawingOptions
 {
   SplatKernel Kernel = SplatKernel::Cubic;
   double ExtinctionScale = 1.0;
-  // Numbers of splats at the end of the order, each with those before it (SplatRanges.h): so near that the eye may be inside; too large to be
-  // points; too close to be drawn to first order. The default: all are drawn as parallelograms.
+  // Numbers of splats at the end of the order, each with those before it (SplatRanges.h): so near
+  // that the eye may be inside; too large to be points; too close to be drawn to first order. The
+  // default: all are drawn as parallelograms.
   std::size_t NearSplats = 0;
   std::size_t LargeSplats = std::numeric_limits<std::size_t>::max();
   std::size_t CloserSplats = std::numeric_limits<std::size_t>::max();
@@ -71,7 +72,10 @@ public:
   ~SplatPass();
 
   // Each returns an empty string, or what went wrong.
-  /** Places and shapes of the splats of the classes, and after them those of the nodes of `tree`; vectors are gone. */
+  /**
+   * Places and shapes of the splats of the classes, and after them those of the nodes of `tree`;
+   * vectors are gone.
+   */
   std::string UploadCells(vtkOpenGLRenderWindow* window, const SplatSamples& samples,
     const SplatClasses& classes, const SplatTree& tree);
   /** Colour and extinction of the same. */
@@ -82,7 +86,10 @@ public:
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors);
   std::string UploadVectorColors(
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& colors);
-  /** From back to front; ~n for the vector of splat n, where media are apart. `weights`, one for each, of its extinction; empty: all 1. */
+  /**
+   * From back to front; ~n for the vector of splat n, where media are apart. `weights`, one for
+   * each, of its extinction; empty: all 1.
+   */
   void UploadOrder(const std::vector<std::int32_t>& order, const std::vector<float>& weights);
   std::string Draw(
     vtkOpenGLRenderWindow* window, const SceneView& view, const SplatDrawingOptions& options);
@@ -99,7 +106,10 @@ public:
 
   static constexpr int LargestPoint = 128; ///< pixels across
 
-  /** How a range of splats is drawn: as points, as parallelograms, or, around the eye, over the whole viewport. */
+  /**
+   * How a range of splats is drawn: as points, as parallelograms, or, around the eye, over the
+   * whole viewport.
+   */
   enum class Way
   {
     FarPoints, ///< to first order in size over distance

@@ -16,7 +16,8 @@ namespace nephoscope
 {
 namespace
 {
-// A point's square may be so much larger than the parallelogram of a long splat that is drawn instead, at a higher price for a pixel.
+// A point's square may be so much larger than the parallelogram of a long splat that is drawn
+// instead, at a higher price for a pixel.
 constexpr double largestExcess = 1.8;
 constexpr std::size_t probes = 64;
 constexpr std::size_t all =

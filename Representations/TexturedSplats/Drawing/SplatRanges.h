@@ -32,7 +32,10 @@ struct SplatReach
   double LargestPoint = 1; ///< pixels across
 };
 
-/** Splats at this distance or farther may be points: they are no larger than those, and far outside of the eye. */
+/**
+ * Splats at this distance or farther may be points: they are no larger than those, and far outside
+ * of the eye.
+ */
 inline double PointDistance(const SplatReach& reach)
 {
   const double stretch =
@@ -47,8 +50,8 @@ inline bool ParallelPoints(const SplatReach& reach)
 }
 
 /**
- * Splats at this distance or farther may be drawn to first order in radius / distance = e: what is left out is at most 2 e^2 of a
- * splat's peak, here 8.5e-5.
+ * Splats at this distance or farther may be drawn to first order in radius / distance = e: what is
+ * left out is at most 2 e^2 of a splat's peak, here 8.5e-5.
  */
 inline double FirstOrderDistance(const SplatReach& reach)
 {
@@ -56,8 +59,8 @@ inline double FirstOrderDistance(const SplatReach& reach)
 }
 
 /**
- * How much larger than a splat's parallelogram a square around it is, on a screen whose axes are x and y; `jacobian` in view
- * coordinates.
+ * How much larger than a splat's parallelogram a square around it is, on a screen whose axes are x
+ * and y; `jacobian` in view coordinates.
  */
 inline double SquareExcess(const SplatMatrix& jacobian)
 {
@@ -79,7 +82,10 @@ SplatMatrix ToViewMatrix(const SceneView& view);
 /** The metric of the world, for positions that such a matrix takes there. */
 SplatMetric MetricOf(const SplatMatrix& toView);
 
-/** The drawn items from back to front: their positions, in an order, and the greatest stretch of their Jacobians. */
+/**
+ * The drawn items from back to front: their positions, in an order, and the greatest stretch of
+ * their Jacobians.
+ */
 struct SortedSplats
 {
   const std::vector<std::array<float, 3>>& Places;
@@ -88,7 +94,10 @@ struct SortedSplats
   double LongestEdge;
 };
 
-/** Sets the numbers of splats in the options. Splats that are larger than any sample are away from the eye. `pixels`: size of the viewport. */
+/**
+ * Sets the numbers of splats in the options. Splats that are larger than any sample are away from
+ * the eye. `pixels`: size of the viewport.
+ */
 void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, const SceneView& view,
   const int pixels[2], SplatDrawingOptions& options);
 

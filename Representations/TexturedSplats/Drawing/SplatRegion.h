@@ -3,12 +3,15 @@
 /**
  * The part of a picture that one of several processes draws.
  *
- * A process draws a splat in those pixels whose ray is in its region at the splat's distance from the eye, and then all of the splat.
- * Along a ray regions come one after the other, and so do distances: pictures of regions that fill space, laid over each other, show
- * every splat once, and in the order in which one process draws them. To cut kernels where regions end would not do that: of two that
- * overlap there, each would be in part behind the other.
+ * A process draws a splat in those pixels whose ray is in its region at the splat's distance from
+ * the eye, and then all of the splat.
+ * Along a ray regions come one after the other, and so do distances: pictures of regions that fill
+ * space, laid over each other, show every splat once, and in the order in which one process draws
+ * them. To cut kernels where regions end would not do that: of two that overlap there, each would
+ * be in part behind the other.
  *
- * Near the border a process needs splats of its neighbours too: those whose reach (SplatReachAround) enters its region.
+ * Near the border a process needs splats of its neighbours too: those whose reach
+ * (SplatReachAround) enters its region.
  */
 #ifndef nephoscope_SplatRegion_h
 #define nephoscope_SplatRegion_h
@@ -47,8 +50,9 @@ struct SplatFrame
 };
 
 /**
- * How far from its centre a splat counts in choosing processes, where nothing of it is seen farther than `radius` from the centre: the
- * place on a ray at the centre's distance from the eye is at most twice as far from the centre as the ray is.
+ * How far from its centre a splat counts in choosing processes, where nothing of it is seen farther
+ * than `radius` from the centre: the place on a ray at the centre's distance from the eye is at
+ * most twice as far from the centre as the ray is.
  */
 inline double SplatReachAround(double radius)
 {

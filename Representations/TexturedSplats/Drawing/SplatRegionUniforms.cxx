@@ -15,7 +15,8 @@ namespace nephoscope
 {
 namespace
 {
-// The plane x = bound along an axis of the model, of points in view coordinates; infinitely far for an infinite bound.
+// The plane x = bound along an axis of the model, of points in view coordinates; infinitely far for
+// an infinite bound.
 void PlaneOf(vtkMatrix4x4* viewToModel, int axis, double bound, float plane[4])
 {
   const bool bounded = std::isfinite(bound);

@@ -88,7 +88,8 @@ std::string SplatScene::FindSamples(bool changed, bool reclassified)
     }
     const std::vector<std::int32_t> before = std::move(this->Classes.Samples);
     this->Classify();
-    // Colours alone change, unless other samples are drawn or nodes of the hierarchy are in the same arrays.
+    // Colours alone change, unless other samples are drawn or nodes of the hierarchy are in the
+    // same arrays.
     if (changed || before != this->Classes.Samples || !this->Hierarchy.Tree().IsEmpty())
     {
       this->ForgetOrder();
@@ -125,8 +126,9 @@ void SplatScene::RestoreColors()
   }
 }
 
-// What the graphics card has, of 52 bytes for each sample with a shape of its own, is not kept twice. Not before the camera moves: as long as it does not, transfer
-// functions may be edited, and other samples drawn. Vectors and the hierarchy need it in every picture.
+// What the graphics card has, of 52 bytes for each sample with a shape of its own, is not kept
+// twice. Not before the camera moves: as long as it does not, transfer functions may be edited, and
+// other samples drawn. Vectors and the hierarchy need it in every picture.
 void SplatScene::FreeUploaded(const SplatVectorSettings& vectors)
 {
   const bool shapesOfGrid = // Direction() of the grid is not that of the shapes

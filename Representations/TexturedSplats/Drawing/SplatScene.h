@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The scene of a mapper: samples and their appearance, vectors, the hierarchy, the order and the layers. Each part is rebuilt only
- * when its sources change, and uploaded again only when it is rebuilt.
+ * The scene of a mapper: samples and their appearance, vectors, the hierarchy, the order and the
+ * layers. Each part is rebuilt only when its sources change, and uploaded again only when it is
+ * rebuilt.
  */
 #ifndef nephoscope_SplatScene_h
 #define nephoscope_SplatScene_h
@@ -59,7 +60,10 @@ public:
 
   /** What is drawn, from back to front. */
   void UpdateOrder(const ViewState& state);
-  /** Scalars and vectors apart, layer by layer; or without `apart` both together, with `ordered` layer by layer too if cells are flat. `near`: of the order's end. */
+  /**
+   * Scalars and vectors apart, layer by layer; or without `apart` both together, with `ordered`
+   * layer by layer too if cells are flat. `near`: of the order's end.
+   */
   void UpdateLayers(bool apart, bool ordered, vtkDataSet* input, int axis, std::size_t near);
 
   /** What has changed since the last upload. Returns an empty string, or what went wrong. */
@@ -71,10 +75,14 @@ public:
   std::size_t GetNumberOfSamples() const { return this->Classes.Samples.size(); }
   std::size_t GetNumberOfDrawn() const { return this->Drawn().size(); }
   const SplatSamples& GetSamples() const { return this->Samples; }
-  /** Which samples are left out because of a value, a coordinate or a size; empty if there are none. */
+  /**
+   * Which samples are left out because of a value, a coordinate or a size; empty if there are none.
+   */
   std::string DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName,
     const std::string& vectorArrayName) const;
-  /** Thickness of the layers at right angles to the line of sight; 0 where they are those of a grid. */
+  /**
+   * Thickness of the layers at right angles to the line of sight; 0 where they are those of a grid.
+   */
   double GetLayerThickness() const;
   /** Whether layers are drawn one after another, not in the order of the distances. */
   bool IsInLayers() const { return !this->Items.empty(); }

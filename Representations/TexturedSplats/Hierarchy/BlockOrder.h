@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples of a lattice in the order of blocks, which are halved along one axis or more from level to level: the bits of three indices
-// interleaved (Morton 1966), so that what lies in one block stands together and has equal codes above the bits of its level.
+// Samples of a lattice in the order of blocks, which are halved along one axis or more from level
+// to level: the bits of three indices interleaved (Morton 1966), so that what lies in one block
+// stands together and has equal codes above the bits of its level.
 //
-// Where cells are much longer along one axis than along another, two blocks make one, side by side along the edge that is the shortest at the
-// time; elsewhere eight.
+// Where cells are much longer along one axis than along another, two blocks make one, side by side
+// along the edge that is the shortest at the time; elsewhere eight.
 // Plain C++17.
 #ifndef nephoscope_BlockOrder_h
 #define nephoscope_BlockOrder_h

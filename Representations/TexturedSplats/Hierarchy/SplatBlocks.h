@@ -3,9 +3,10 @@
 /**
  * In which blocks samples are put together.
  *
- * Samples of a structured grid have its indices, voxels of a sparse volume theirs, counted from a multiple of 4096: blocks are then
- * parts, or unions, of the leaves and nodes of the volume's own tree (8, 128 and 4096 voxels to a side, Museth2013). Others have the
- * indices of small cubes of space, of which 2^21 are along the longest edge of their bounds.
+ * Samples of a structured grid have its indices, voxels of a sparse volume theirs, counted from a
+ * multiple of 4096: blocks are then parts, or unions, of the leaves and nodes of the volume's own
+ * tree (8, 128 and 4096 voxels to a side, Museth2013). Others have the indices of small cubes of
+ * space, of which 2^21 are along the longest edge of their bounds.
  */
 #ifndef nephoscope_SplatBlocks_h
 #define nephoscope_SplatBlocks_h

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies below a node of the hierarchy of splats (LaurHanrahan1991). Averages are taken after classification, over volume, so that
-// mass (extinction times volume) and emission are kept. Plain C++17.
+// What lies below a node of the hierarchy of splats (LaurHanrahan1991). Averages are taken after
+// classification, over volume, so that mass (extinction times volume) and emission are kept. Plain
+// C++17.
 #ifndef nephoscope_SplatBranch_h
 #define nephoscope_SplatBranch_h
 
@@ -57,8 +58,8 @@ std::array<double, n> Blend(
 }
 }
 
-// A leaf of this colour and extinction (the fourth component of `light`), with a share of its cell, which counts by its volume where `byVolume`,
-// else by its mass.
+// A leaf of this colour and extinction (the fourth component of `light`), with a share of its cell,
+// which counts by its volume where `byVolume`, else by its mass.
 inline SplatBranch BranchOfLeaf(const std::array<double, 4>& light, const Vector3& vector,
   const Vector3& place, const SplatMatrix& jacobian, double shareOfCell, bool byVolume)
 {

@@ -21,7 +21,9 @@ struct Part
   float Weight;
 };
 
-/** Selects nodes of a tree by a test that says how much of each is drawn instead of what lies below. */
+/**
+ * Selects nodes of a tree by a test that says how much of each is drawn instead of what lies below.
+ */
 class Descent
 {
 public:
@@ -141,8 +143,9 @@ private:
 };
 
 /**
- * The least tolerance that leaves no more than so many splats. A node is gone below if the least error on the way to it, its own
- * included, is above `full` = (1 - blend) tolerance, and is drawn all the same if its own is below the tolerance.
+ * The least tolerance that leaves no more than so many splats. A node is gone below if the least
+ * error on the way to it, its own included, is above `full` = (1 - blend) tolerance, and is drawn
+ * all the same if its own is below the tolerance.
  */
 double FindTolerance(
   const SplatTree& tree, const std::vector<float>& errors, double blend, std::size_t most)
@@ -169,7 +172,8 @@ double FindTolerance(
   }
   vtkSMPTools::Sort(
     steps.begin(), steps.end(), [](const Step& a, const Step& b) { return a.Error > b.Error; });
-  // With `full` at the error of a step those before it are gone below, and of those the ones within the tolerance are drawn too.
+  // With `full` at the error of a step those before it are gone below, and of those the ones within
+  // the tolerance are drawn too.
   constexpr double rounding = 1e-9;
   const auto toleranceAt = [&](std::size_t i) {
     return steps[i].Error / (1 - blend) * (1 + rounding);

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The error of the nodes of the splat hierarchy, in a view, relative to the samples that they represent. */
+/**
+ * The error of the nodes of the splat hierarchy, in a view, relative to the samples that they
+ * represent.
+ */
 #ifndef nephoscope_SplatError_h
 #define nephoscope_SplatError_h
 
@@ -46,11 +49,12 @@ struct SplatCutView
 };
 
 /**
- * Errors of all nodes of the tree: infinite around the eye, where only leaves can be drawn, and 0 for a node smaller than a pixel; the error
- * grows and falls steadily on the way there.
+ * Errors of all nodes of the tree: infinite around the eye, where only leaves can be drawn, and 0
+ * for a node smaller than a pixel; the error grows and falls steadily on the way there.
  *
- * Error of the image: a node and those below it are gaussians on the screen; the squares of their differences add up from level to level. It is
- * thus seen from which side parts may be put together: those one behind the other make no error.
+ * Error of the image: a node and those below it are gaussians on the screen; the squares of their
+ * differences add up from level to level. It is thus seen from which side parts may be put
+ * together: those one behind the other make no error.
  *
  * The same whatever the number of threads.
  */

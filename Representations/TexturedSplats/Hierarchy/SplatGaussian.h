@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far one splat is from several that it stands for: kernels are taken as gaussians of the same covariance, whose products have
-// integrals in closed form (the distance of mixtures of gaussians in the mean square). Plain C++17.
+// How far one splat is from several that it stands for: kernels are taken as gaussians of the same
+// covariance, whose products have integrals in closed form (the distance of mixtures of gaussians
+// in the mean square). Plain C++17.
 #ifndef nephoscope_SplatGaussian_h
 #define nephoscope_SplatGaussian_h
 
@@ -59,7 +60,8 @@ double Overlap(const SplatGaussian<dimension>& a, const SplatGaussian<dimension>
   return std::exp(-0.5 * square) / std::sqrt(volume);
 }
 
-// The integral of the square of the difference between one and the sum of some others, of the channel that differs most.
+// The integral of the square of the difference between one and the sum of some others, of the
+// channel that differs most.
 template <std::size_t dimension, typename Iterator>
 double SquareDistance(const SplatGaussian<dimension>& one, Iterator begin, Iterator end)
 {

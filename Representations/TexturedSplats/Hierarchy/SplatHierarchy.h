@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The hierarchy of a mapper's splats and its cut in the last view; each is rebuilt only when its sources change. */
+/**
+ * The hierarchy of a mapper's splats and its cut in the last view; each is rebuilt only when its
+ * sources change.
+ */
 #ifndef nephoscope_SplatHierarchy_h
 #define nephoscope_SplatHierarchy_h
 
@@ -31,11 +34,17 @@ public:
   /** Samples, classes or vectors have changed. */
   void Invalidate();
 
-  /** Makes the tree, with the vectors of that name (empty: none), where there is none; true if it made it. */
+  /**
+   * Makes the tree, with the vectors of that name (empty: none), where there is none; true if it
+   * made it.
+   */
   bool Update(const SplatSamples& samples, const SplatClasses& classes, SplatVectorScene& vectors,
     const std::string& vectorArrayName);
 
-  /** Finds what is drawn of the samples and classes that the tree was made from; true if that has changed. */
+  /**
+   * Finds what is drawn of the samples and classes that the tree was made from; true if that has
+   * changed.
+   */
   bool Select(const SplatSamples& samples, const SplatClasses& classes,
     const SplatErrorRule& errors, const SplatCutRule& rule, const SplatCutView& view);
 

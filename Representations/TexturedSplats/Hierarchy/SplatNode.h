@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A node of the hierarchy of splats (LaurHanrahan1991): exact mean, variance and range of what lies below it. Plain C++17.
+// A node of the hierarchy of splats (LaurHanrahan1991): exact mean, variance and range of what lies
+// below it. Plain C++17.
 #ifndef nephoscope_SplatNode_h
 #define nephoscope_SplatNode_h
 

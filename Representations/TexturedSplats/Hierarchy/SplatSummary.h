@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The one splat that stands for all that lies below a node of the hierarchy, and how far it is from it. What is not there below the
-// node, because it is transparent or has no value, counts as extinction 0. Plain C++17.
+// The one splat that stands for all that lies below a node of the hierarchy, and how far it is from
+// it. What is not there below the node, because it is transparent or has no value, counts as
+// extinction 0. Plain C++17.
 #ifndef nephoscope_SplatSummary_h
 #define nephoscope_SplatSummary_h
 
@@ -19,8 +20,8 @@ struct SplatSummary
   Vector3 Color{};
   double Extinction = 0.0;
   Vector3 Vector{};
-  // Deviation of extinction or emission from the mean, whichever deviates more, and of vectors; in the mean square the field of the node from that
-  // of what lies below, over the node.
+  // Deviation of extinction or emission from the mean, whichever deviates more, and of vectors; in
+  // the mean square the field of the node from that of what lies below, over the node.
   double GreatestError = 0.0, RootMeanSquareError = 0.0;
   double GreatestVectorError = 0.0, RootMeanSquareVectorError = 0.0;
   double Span = 1.0; // edge, in those of the leaves
@@ -35,7 +36,8 @@ inline SplatNode Empty(double volume)
   return node;
 }
 
-// Lower triangular factor of a symmetric positive matrix: the kernel of L is that of any J with J J^T = L L^T.
+// Lower triangular factor of a symmetric positive matrix: the kernel of L is that of any J with J
+// J^T = L L^T.
 inline SplatMatrix Cholesky(const std::array<double, 6>& s)
 {
   SplatMatrix l{};
@@ -113,8 +115,8 @@ inline SplatGaussian<3> GaussianOf(const SplatBranch& branch)
 }
 }
 
-// What stands for the branches of [begin, end), whose join is `branch`: an ellipsoid with the mass, the mean place and the covariance of what
-// lies below. The branch gets the square of its error.
+// What stands for the branches of [begin, end), whose join is `branch`: an ellipsoid with the mass,
+// the mean place and the covariance of what lies below. The branch gets the square of its error.
 template <typename Iterator>
 SplatSummary Summarize(SplatBranch& branch, Iterator begin, Iterator end)
 {

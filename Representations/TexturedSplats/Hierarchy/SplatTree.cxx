@@ -153,7 +153,8 @@ private:
     std::vector<Group> groups;
     for (std::size_t i = 0; i < this->Items.size(); ++i)
     {
-      // More than eight are samples in one place: the error of a node costs the square of their number.
+      // More than eight are samples in one place: the error of a node costs the square of their
+      // number.
       if (i > 0 && groups.back().Size < 8 &&
         this->Blocks.BlockOf(this->Items[i].Code, level) ==
           this->Blocks.BlockOf(this->Items[i - 1].Code, level))
@@ -204,8 +205,8 @@ private:
   const SplatSamples& Samples;
   const SplatClasses& Classes;
   const std::vector<std::array<float, 4>>& Vectors;
-  const bool
-    ByVolume; // nodes are where their samples are, and not only the medium of those: vectors are there too
+  const bool ByVolume; // nodes are where their samples are, and not only the medium of those:
+                       // vectors are there too
   BlockOrder Blocks{ { { 1, 1, 1 } }, { { 1.0, 1.0, 1.0 } } };
   std::vector<Item> Items;
   std::vector<SplatBranch> Branches; // of the nodes

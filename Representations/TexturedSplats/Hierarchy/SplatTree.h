@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The hierarchy of splats (LaurHanrahan1991): a tree whose nodes are splats that represent everything below them, with the same mass,
- * emission, centre of mass and covariance.
+ * The hierarchy of splats (LaurHanrahan1991): a tree whose nodes are splats that represent
+ * everything below them, with the same mass, emission, centre of mass and covariance.
  *
- * On a structured grid nodes are blocks of samples in its indices: of 2^l to a side, or, where its cells are flat, of about equal edges in the
- * world (BlockOrder.h). Elsewhere they are blocks of space. Blocks with one visible sample are that sample. Leaves are numbered as the
- * splats of the classes, nodes follow them.
+ * On a structured grid nodes are blocks of samples in its indices: of 2^l to a side, or, where its
+ * cells are flat, of about equal edges in the world (BlockOrder.h). Elsewhere they are blocks of
+ * space. Blocks with one visible sample are that sample. Leaves are numbered as the splats of the
+ * classes, nodes follow them.
  *
- * It is the same whatever the number of threads and the order of the input. Memory: 104 bytes for each node and 4 for each leaf; a full
- * grid has a node for 7 leaves, one of flat cells one for each. While it is built: 400 bytes for each node, 32 for each leaf.
+ * It is the same whatever the number of threads and the order of the input. Memory: 104 bytes for
+ * each node and 4 for each leaf; a full grid has a node for 7 leaves, one of flat cells one for
+ * each. While it is built: 400 bytes for each node, 32 for each leaf.
  */
 #ifndef nephoscope_SplatTree_h
 #define nephoscope_SplatTree_h
@@ -32,7 +34,8 @@ struct SplatTreeNode
   std::array<Float3, 3> Jacobian; // columns
   std::array<float, 4> Color;     // and extinction
   Float3 Vector;
-  // Deviations of extinction (or emission) and of vectors below; infinite if the node cannot be drawn.
+  // Deviations of extinction (or emission) and of vectors below; infinite if the node cannot be
+  // drawn.
   float GreatestError, RootMeanSquareError;
   float GreatestVectorError, RootMeanSquareVectorError;
   float LongestEdge; // the longest half axis of the kernel over its radius
@@ -75,11 +78,15 @@ public:
     return this->Children.data() + (last ? this->Children.size() : (&node)[1].FirstChild);
   }
 
-  /** To (red, green, blue, seed) of the leaves those of the nodes: the mean colour of their children, and the seed of the first. */
+  /**
+   * To (red, green, blue, seed) of the leaves those of the nodes: the mean colour of their
+   * children, and the seed of the first.
+   */
   void AppendColors(std::vector<std::array<float, 4>>& colors) const;
   /**
-   * To (x, y, z, phase) of the leaves those of the nodes: their mean vector, and the phase of their first child. If patterns of speed 1
-   * have moved by `periodsPerSpeed`, a node has moved at its own speed.
+   * To (x, y, z, phase) of the leaves those of the nodes: their mean vector, and the phase of their
+   * first child. If patterns of speed 1 have moved by `periodsPerSpeed`, a node has moved at its
+   * own speed.
    */
   void AppendVectors(
     std::vector<std::array<float, 4>>& vectors, double periodsPerSpeed = 0.0) const;

@@ -63,8 +63,10 @@ inline std::vector<StreakColor> ReadableOn(
   return choices;
 }
 
-// Black, white or orange: the one that contrasts best with the backgrounds (two at the ends of a gradient) and the mean of `medium`, its colours. If the medium
-// has that colour somewhere, the one farthest from all its colours; if this is near one of them too, also green, magenta, cyan and yellow are candidates.
+// Black, white or orange: the one that contrasts best with the backgrounds (two at the ends of a
+// gradient) and the mean of `medium`, its colours. If the medium has that colour somewhere, the one
+// farthest from all its colours; if this is near one of them too, also green, magenta, cyan and
+// yellow are candidates.
 // Colours that cannot be read on a background are no candidates.
 inline StreakColor ContrastingColor(
   const std::vector<StreakColor>& backgrounds, const std::vector<StreakColor>& medium)

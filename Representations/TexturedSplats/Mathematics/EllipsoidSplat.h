@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A splat in the shape of its grid cell: the kernel as a function of |J^-1 (x - centre)|, where the columns of J are the
-// cell's edges. What a ray meets of it is exact, for parallel and for perspective rays. Plain C++17.
+// A splat in the shape of its grid cell: the kernel as a function of |J^-1 (x - centre)|, where the
+// columns of J are the cell's edges. What a ray meets of it is exact, for parallel and for
+// perspective rays. Plain C++17.
 #ifndef nephoscope_EllipsoidSplat_h
 #define nephoscope_EllipsoidSplat_h
 
@@ -22,9 +23,10 @@ inline double ReachAlong(const SplatMatrix& jacobian, const Vector3& vector)
   return std::sqrt(sum) / Norm(vector);
 }
 
-// Columns shorter than `thinnest` of the longest are lengthened to it, for the precision of shaders. Those of cells that degenerate (at a
-// pole, or of a flat grid), a hundredth of that or less, become `share` of the longest, so that such cells are seen; a column of no length
-// gets a direction at right angles to the others.
+// Columns shorter than `thinnest` of the longest are lengthened to it, for the precision of
+// shaders. Those of cells that degenerate (at a pole, or of a flat grid), a hundredth of that or
+// less, become `share` of the longest, so that such cells are seen; a column of no length gets a
+// direction at right angles to the others.
 inline SplatMatrix WithoutFlatColumns(SplatMatrix jacobian, double share, double thinnest)
 {
   double lengths[3], longest = 0.0;

@@ -8,7 +8,8 @@
 
 namespace nephoscope
 {
-// The greatest of 1, 2 and 5, times a power of ten, that is not above a positive number; 0 for others.
+// The greatest of 1, 2 and 5, times a power of ten, that is not above a positive number; 0 for
+// others.
 inline double RoundDown(double number)
 {
   if (!(number > 0.0) || !std::isfinite(number))

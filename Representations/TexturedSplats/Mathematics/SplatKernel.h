@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Reconstruction kernels of splats and their footprints, which are their integrals along a line. Lengths are in cells,
-// values are those of a kernel with unit integral. Plain C++17.
+// Reconstruction kernels of splats and their footprints, which are their integrals along a line.
+// Lengths are in cells, values are those of a kernel with unit integral. Plain C++17.
 #ifndef nephoscope_SplatKernel_h
 #define nephoscope_SplatKernel_h
 
@@ -12,8 +12,8 @@
 
 namespace nephoscope
 {
-// The piecewise cubic kernel in space whose sum over a lattice is flattest in the mean (CrawfisMax1993, table 1): constant
-// data are reconstructed to within -0.23 % and +0.53 %.
+// The piecewise cubic kernel in space whose sum over a lattice is flattest in the mean
+// (CrawfisMax1993, table 1): constant data are reconstructed to within -0.23 % and +0.53 %.
 namespace cubic_kernel
 {
 constexpr double innerRadius = 0.889392;
@@ -22,7 +22,8 @@ constexpr double inner[4] = { 0.557526, 0.0, -1.157743, 0.671033 }; // of powers
 constexpr double outerSquare = 0.067599;                            // of (radius - r)^2
 constexpr double outerCube = 0.282474;
 
-// The integrals of r^0 .. r^3 along a line at distance rho of the centre, from the point nearest to it to z ahead.
+// The integrals of r^0 .. r^3 along a line at distance rho of the centre, from the point nearest to
+// it to z ahead.
 inline std::array<double, 4> LineMoments(double rho, double z)
 {
   const double square = rho * rho;
@@ -43,7 +44,8 @@ inline double HalfChord(double R, double rho)
   return rho < R ? std::sqrt((R - rho) * (R + rho)) : 0.0;
 }
 
-// The integral of the kernel along a line at distance rho of its centre, from the point nearest to it to z >= 0 ahead.
+// The integral of the kernel along a line at distance rho of its centre, from the point nearest to
+// it to z >= 0 ahead.
 inline double FootprintUpTo(double rho, double z)
 {
   const auto all = LineMoments(rho, std::min(z, HalfChord(radius, rho)));
@@ -62,22 +64,23 @@ inline double Footprint(double rho)
   return 2.0 * FootprintUpTo(rho, radius);
 }
 
-// The footprint as (1 - q)^3 times a polynomial of 2 q - 1, where q = (rho / radius)^2, to 1.5e-5: without roots and logarithms,
-// for shaders. The polynomial has the least greatest deviation.
+// The footprint as (1 - q)^3 times a polynomial of 2 q - 1, where q = (rho / radius)^2, to 1.5e-5:
+// without roots and logarithms, for shaders. The polynomial has the least greatest deviation.
 constexpr std::array<double, 12> footprintCoefficients = { { 0.32783254, -0.189764633, 0.128078513,
   0.00415959703, 0.280323296, -0.40178336, -1.30090379, 0.814175339, 2.8502731, 0.327845877,
   -2.03252278, -1.00148049 } };
 
-// The share of the kernel along a ray that lies before a cut, in half chords from -1 to 1, for shaders: with x = |cut| it is
-// (1 - x)^3 (1/2 + x (c0 + c1 q + x (c2 + c3 q))) on the far side, to 8e-4 of a splat's peak.
+// The share of the kernel along a ray that lies before a cut, in half chords from -1 to 1, for
+// shaders: with x = |cut| it is (1 - x)^3 (1/2 + x (c0 + c1 q + x (c2 + c3 q))) on the far side, to
+// 8e-4 of a splat's peak.
 constexpr std::array<double, 4> shareCoefficients = { { 0.265042, 0.417971, -0.843034, 0.106023 } };
 
 // Mean square distance from the centre along one axis, weighted by the kernel.
 constexpr double variance = 0.199406;
 }
 
-// The piecewise quadratic kernel of a flat sheet, with the least ripple of its lattice sum, 0.44 %. It is a footprint by
-// itself, not the projection of a kernel in space.
+// The piecewise quadratic kernel of a flat sheet, with the least ripple of its lattice sum, 0.44 %.
+// It is a footprint by itself, not the projection of a kernel in space.
 namespace quadratic_kernel
 {
 constexpr double innerRadius = 0.48470;

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A number for every sample that is as good as random, and depends on nothing but its place: not on the order of the input, the frame,
-// or the part of the data that a rank has, and not on rounding. Plain C++17.
+// A number for every sample that is as good as random, and depends on nothing but its place: not on
+// the order of the input, the frame, or the part of the data that a rank has, and not on rounding.
+// Plain C++17.
 #ifndef nephoscope_SplatSeed_h
 #define nephoscope_SplatSeed_h
 
@@ -14,7 +15,8 @@
 
 namespace nephoscope
 {
-// The finalizer of splitmix64 (SteeleLeaFlood2014): every bit of the result depends on every bit of the argument.
+// The finalizer of splitmix64 (SteeleLeaFlood2014): every bit of the result depends on every bit of
+// the argument.
 inline std::uint64_t MixBits(std::uint64_t x)
 {
   x ^= x >> 30;
@@ -37,8 +39,8 @@ inline std::uint64_t PlaceHash(const double place[3])
   return MixBits(hash);
 }
 
-// The place to 36 bits of its greatest coordinate: ranks, compilers and ways to store a cell differ in the last of 53. Zero where it is zero
-// but for rounding, compared with the size of a cell.
+// The place to 36 bits of its greatest coordinate: ranks, compilers and ways to store a cell differ
+// in the last of 53. Zero where it is zero but for rounding, compared with the size of a cell.
 inline std::array<double, 3> RoundedPlace(const double place[3], double cell)
 {
   const double greatest = std::max({ std::abs(place[0]), std::abs(place[1]), std::abs(place[2]) });
@@ -52,7 +54,8 @@ inline std::array<double, 3> RoundedPlace(const double place[3], double cell)
     step * std::round(place[2] / step) } };
 }
 
-// Two independent numbers, uniform in [0, 1): the phase that a pattern starts with, and a seed for what else differs.
+// Two independent numbers, uniform in [0, 1): the phase that a pattern starts with, and a seed for
+// what else differs.
 struct SplatSeed
 {
   float Phase = 0.0f;

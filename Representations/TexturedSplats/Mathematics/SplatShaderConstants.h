@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of SplatKernel.h and VectorTexture.h that their shaders need, as definitions in front of SplatFootprint.glsl and
-// VectorTexture.glsl. Plain C++17.
+// The numbers of SplatKernel.h and VectorTexture.h that their shaders need, as definitions in front
+// of SplatFootprint.glsl and VectorTexture.glsl. Plain C++17.
 #ifndef nephoscope_SplatShaderConstants_h
 #define nephoscope_SplatShaderConstants_h
 

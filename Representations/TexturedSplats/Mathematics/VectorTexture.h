@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Constants and phases of what is drawn on a vector splat: streaks that move along the vector, or an anti-aliased line segment (CrawfisMax1993; MaxCrawfisBecker1993,
-// section 3). VectorTexture.glsl draws it. Plain C++17.
+// Constants and phases of what is drawn on a vector splat: streaks that move along the vector, or
+// an anti-aliased line segment (CrawfisMax1993; MaxCrawfisBecker1993, section 3).
+// VectorTexture.glsl draws it. Plain C++17.
 #ifndef nephoscope_VectorTexture_h
 #define nephoscope_VectorTexture_h
 
@@ -9,8 +10,9 @@
 
 namespace nephoscope
 {
-// Streaks like comets along x: a sharp, round head in front, a tail that narrows and fades, so that a still tells where the
-// vector points. Rows of them, a fixed distance apart, each at a place of its own; they move along +x as the phase grows.
+// Streaks like comets along x: a sharp, round head in front, a tail that narrows and fades, so that
+// a still tells where the vector points. Rows of them, a fixed distance apart, each at a place of
+// its own; they move along +x as the phase grows.
 namespace streaks
 {
 constexpr double golden = 0.6180339887498949; // of a period from row to row, as uneven as can be
@@ -30,11 +32,13 @@ struct LineSegment
   double FilterWidth = 0.5; // standard deviation of the gaussian pixel filter
 };
 
-// A segment that moves along its vector: in one period by the travel, about the place of its splat. In the first part of a period it
-// fades in, while the one before it, a travel ahead, fades out: together they are as opaque as one, always.
+// A segment that moves along its vector: in one period by the travel, about the place of its splat.
+// In the first part of a period it fades in, while the one before it, a travel ahead, fades out:
+// together they are as opaque as one, always.
 constexpr double segmentFade = 0.25; // of a period
 
-// Phase of a splat after a step of time: accumulated, so that it does not jump when the speed changes. In [0, 1).
+// Phase of a splat after a step of time: accumulated, so that it does not jump when the speed
+// changes. In [0, 1).
 inline double AdvancePhase(double phase, double speed, double period, double step)
 {
   const double next = phase + (period > 0.0 ? speed * step / period : 0.0);

@@ -77,7 +77,8 @@ void ForEachPoint(int type, vtkIdType* ids, vtkIdType count, const Visit& visit)
   }
 }
 
-// Cells on their way between ranks, by rank: type, length and description of each, and the places of their points.
+// Cells on their way between ranks, by rank: type, length and description of each, and the places
+// of their points.
 struct Parcels
 {
   std::vector<std::vector<vtkIdType>> Cells;

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The seam and the ends of a structured grid whose pieces are on several ranks; on one the mapper finds them by itself. */
+/**
+ * The seam and the ends of a structured grid whose pieces are on several ranks; on one the mapper
+ * finds them by itself.
+ */
 #ifndef nephoscope_SplatGridSeam_h
 #define nephoscope_SplatGridSeam_h
 
@@ -18,7 +21,10 @@ namespace nephoscope
 class SplatGridSeam
 {
 public:
-  /** Along one axis, 0 to 2. `extents` of the points of all ranks, as FindExtentsOfRanks makes them. Collective. */
+  /**
+   * Along one axis, 0 to 2. `extents` of the points of all ranks, as FindExtentsOfRanks makes them.
+   * Collective.
+   */
   SplatGridSeam(vtkDataSet* piece, const std::vector<int>& extents, int axis);
 
   /** Whether a point is in the last column of a closed grid, which is the first once more. */
@@ -26,7 +32,10 @@ public:
   {
     return this->Closed && this->Column(id) == this->Whole[2 * this->Axis + 1];
   }
-  /** Half at the ends of a grid that is not closed, where the cell of a point lies half outside; else 1. */
+  /**
+   * Half at the ends of a grid that is not closed, where the cell of a point lies half outside;
+   * else 1.
+   */
   double ShareInGrid(vtkIdType id) const;
   /** In the first column of a closed grid the edge along that axis goes across the seam. */
   void MendEdge(vtkIdType id, SplatMatrix& jacobian) const;

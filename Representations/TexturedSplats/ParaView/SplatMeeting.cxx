@@ -240,7 +240,8 @@ vtkSmartPointer<vtkDataSet> WithNeighbors(
   }
   append->Update();
   vtkSmartPointer<vtkDataSet> all = append->GetOutput();
-  // A rank without samples of its own has no measures of the data either, which are the same everywhere.
+  // A rank without samples of its own has no measures of the data either, which are the same
+  // everywhere.
   const bool empty = vertices->GetNumberOfCells() == 0 && !received.empty();
   all->GetFieldData()->ShallowCopy((empty ? received.front().Get() : vertices)->GetFieldData());
   return all;

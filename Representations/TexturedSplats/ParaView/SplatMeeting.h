@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The data exchanged by ranks that draw one picture of splats: lengths, speeds, and the splats at the borders of their regions. */
+/**
+ * The data exchanged by ranks that draw one picture of splats: lengths, speeds, and the splats at
+ * the borders of their regions.
+ */
 #ifndef nephoscope_SplatMeeting_h
 #define nephoscope_SplatMeeting_h
 
@@ -33,12 +36,15 @@ struct SplatCommons
 /** The speeds of all ranks. Collective. */
 SpeedCounts SpeedsOfRanks(const SpeedCounts& mine);
 
-/** From vertices with the array of shapes that SplatVertices makes; `vectors`: name of a cell array, or empty. Collective. */
+/**
+ * From vertices with the array of shapes that SplatVertices makes; `vectors`: name of a cell array,
+ * or empty. Collective.
+ */
 SplatCommons FindSplatCommons(vtkDataSet* vertices, const std::string& vectors);
 
 /**
- * The regions of ranks whose boxes, as the view has them, fill a box: grown to infinity where that ends. Empty if they overlap or leave
- * gaps.
+ * The regions of ranks whose boxes, as the view has them, fill a box: grown to infinity where that
+ * ends. Empty if they overlap or leave gaps.
  */
 std::vector<SplatRegion> RegionsOfRanks(const std::vector<vtkBoundingBox>& boxes);
 
@@ -52,7 +58,8 @@ struct SplatReaches
 };
 
 /**
- * This rank's vertices, and after them, marked as duplicates, those of other ranks that reach into its region: SplatRegion.h says why.
+ * This rank's vertices, and after them, marked as duplicates, those of other ranks that reach into
+ * its region: SplatRegion.h says why.
  * Collective.
  */
 vtkSmartPointer<vtkDataSet> WithNeighbors(

@@ -30,7 +30,8 @@ bool HasDuplicateCells(vtkDataSet* piece)
   });
 }
 
-// Marks the points whose cells are all duplicates, and no others; points without cells stay as they are.
+// Marks the points whose cells are all duplicates, and no others; points without cells stay as they
+// are.
 void FlagAsCells(vtkDataSet* piece, vtkUnsignedCharArray* points)
 {
   vtkUnsignedCharArray* flags = piece->GetCellGhostArray();

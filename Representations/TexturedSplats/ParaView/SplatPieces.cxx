@@ -56,8 +56,8 @@ std::vector<bool> OwnedByExtent(
   return owned;
 }
 
-// Then cells that several ranks have are marked. Some sources give cells of neighbours to a rank that asks for them, and do not mark them (trees of hyper tree
-// grids). Collective.
+// Then cells that several ranks have are marked. Some sources give cells of neighbours to a rank
+// that asks for them, and do not mark them (trees of hyper tree grids). Collective.
 bool AnyRankHasGhosts(vtkDataSet* data)
 {
   const int mine = data->GetCellGhostArray() ? 1 : 0;
@@ -123,7 +123,8 @@ double MeanSpacingOverRanks(const SplatShapes& shapes, vtkIdList* ids)
   return count > 0 ? MeanSpacing(bounds.data(), static_cast<std::size_t>(count)) : 1.0;
 }
 
-// Without marks of ghosts. The arrays are those of cells: the view merges points in one place, not cells.
+// Without marks of ghosts. The arrays are those of cells: the view merges points in one place, not
+// cells.
 vtkSmartPointer<vtkDataSet> VerticesOf(
   const SplatShapes& shapes, vtkIdList* ids, vtkDataSetAttributes* arrays)
 {
@@ -147,7 +148,8 @@ vtkSmartPointer<vtkDataSet> VerticesOf(
   return vertices;
 }
 
-// For a point of a grid on several ranks: not this rank's piece has the ends that count, but the whole grid.
+// For a point of a grid on several ranks: not this rank's piece has the ends that count, but the
+// whole grid.
 double ShareOf(const SplatShapes& shapes, vtkIdType id, const std::vector<SplatGridSeam>& seams)
 {
   if (seams.empty())
@@ -198,8 +200,9 @@ vtkBoundingBox BoundsOverRanks(const SplatShapes& shapes, vtkIdList* ids)
   return all;
 }
 
-// Samples may lie in a plane. ParaView ends if it has to divide that along the axis across it: two points without cells give it an extent, not the same on both
-// sides, so that no border between ranks lies in the plane. Collective.
+// Samples may lie in a plane. ParaView ends if it has to divide that along the axis across it: two
+// points without cells give it an extent, not the same on both sides, so that no border between
+// ranks lies in the plane. Collective.
 void PadFlatBounds(vtkUnstructuredGrid* vertices, const SplatShapes& shapes, vtkIdList* ids)
 {
   constexpr double flat = 1e-6, before = 1.0, after = 1.7;

@@ -46,7 +46,8 @@ int vtkTexturedSplatsRepresentation::RequestUpdateExtent(
   const int done = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   if (GetNumberOfRanks() > 1 && inputVector[0]->GetNumberOfInformationObjects() == 1)
   {
-    // Neighbours give cells at a border between pieces the shape that they have inside, and tell which points have two owners.
+    // Neighbours give cells at a border between pieces the shape that they have inside, and tell
+    // which points have two owners.
     inputVector[0]->GetInformationObject(0)->Set(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 1);
   }
@@ -110,7 +111,8 @@ void vtkTexturedSplatsRepresentation::PreparePiece(vtkDataObject* input)
   if (this->Piece && this->Piece->GetNumberOfPoints() > 0)
   {
     sampling.RadiusFactor = this->Mapper->GetRadiusFactor();
-    // Farther out splats are faint. The camera sees what is left of them there, because it sees the ball around these bounds.
+    // Farther out splats are faint. The camera sees what is left of them there, because it sees the
+    // ball around these bounds.
     constexpr double seen = 1.0; // of their kernels
     nephoscope::FindSplatBounds(
       nephoscope::SplatShapes(this->Piece, sampling), seen, this->DataBounds);
@@ -133,7 +135,8 @@ void vtkTexturedSplatsRepresentation::MovePiece(vtkMatrix4x4* matrix)
 void vtkTexturedSplatsRepresentation::DescribePiece(vtkInformation* inInfo)
 {
   this->Superclass::DescribePiece(inInfo);
-  // On several ranks samples are single vertices, each of which goes to the rank in whose region it lies.
+  // On several ranks samples are single vertices, each of which goes to the rank in whose region it
+  // lies.
   vtkPVRenderView::SetOrderedCompositingConfiguration(inInfo, this,
     vtkPVRenderView::DATA_IS_REDISTRIBUTABLE | vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);

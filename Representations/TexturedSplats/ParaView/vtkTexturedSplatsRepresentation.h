@@ -4,9 +4,10 @@
  * @class vtkTexturedSplatsRepresentation
  * @brief Textured Splats in ParaView's list of representations
  *
- * A thin layer over vtkTexturedSplatMapper. It hands points or cells of any dataset to the mapper, and moves the streaks of the
- * vectors on with the animation time. On several ranks samples become single vertices that carry the shapes of their cells, and the
- * view gives each to the rank in whose region it lies.
+ * A thin layer over vtkTexturedSplatMapper. It hands points or cells of any dataset to the mapper,
+ * and moves the streaks of the vectors on with the animation time. On several ranks samples become
+ * single vertices that carry the shapes of their cells, and the view gives each to the rank in
+ * whose region it lies.
  */
 #ifndef vtkTexturedSplatsRepresentation_h
 #define vtkTexturedSplatsRepresentation_h
@@ -79,26 +80,39 @@ public:
   void SetPhaseSteps(int steps) { this->Mapper->SetPhaseSteps(steps); }
   ///@}
 
-  /** Colours for the array that colours the vectors. None (default): ParaView's default colours, over the range of the array. */
+  /**
+   * Colours for the array that colours the vectors. None (default): ParaView's default colours,
+   * over the range of the array.
+   */
   void SetVectorColorFunction(vtkScalarsToColors* function);
 
-  /** Array with the cell size of each sample without a grid; empty or "None" (default): CellSize for all. */
+  /**
+   * Array with the cell size of each sample without a grid; empty or "None" (default): CellSize for
+   * all.
+   */
   void SetCellSizeArray(const char* name);
 
-  /** Array that colours the vectors independently; empty or "None" (default): as the splats, or VectorColor. */
+  /**
+   * Array that colours the vectors independently; empty or "None" (default): as the splats, or
+   * VectorColor.
+   */
   void SetVectorColorArray(const char* name);
 
   ///@{
   /**
-   * Optical depth of the streaks of the longest vectors, and fraction of the samples whose vectors are drawn. 0 (default): in a medium such that
-   * both are visible, see vtkTexturedSplatMapper::SuitVectorsToMedium; for vectors alone 2, and all.
+   * Optical depth of the streaks of the longest vectors, and fraction of the samples whose vectors
+   * are drawn. 0 (default): in a medium such that both are visible, see
+   * vtkTexturedSplatMapper::SuitVectorsToMedium; for vectors alone 2, and all.
    */
   void SetVectorOpacity(double opacity);
   void SetVectorShare(double share);
   ///@}
 
   ///@{
-  /** Draw all vectors in VectorColor. Automatic (default): in a medium, a colour that stands out, see vtkTexturedSplatMapper::SuitVectorColor. */
+  /**
+   * Draw all vectors in VectorColor. Automatic (default): in a medium, a colour that stands out,
+   * see vtkTexturedSplatMapper::SuitVectorColor.
+   */
   enum VectorColorChoice
   {
     COLOR_OF_SPLATS = 0,
@@ -114,8 +128,10 @@ public:
 
   ///@{
   /**
-   * Move the streaks with the animation time: once through their loop in LoopDuration, in its unit. 0 (default): the time range of the
-   * data, longer if it has so few steps that a period of the fastest streaks would take less than four; 1 for data without times. Phase, 0 to 1, is added. Default: on, phase 0.
+   * Move the streaks with the animation time: once through their loop in LoopDuration, in its unit.
+   * 0 (default): the time range of the data, longer if it has so few steps that a period of the
+   * fastest streaks would take less than four; 1 for data without times. Phase, 0 to 1, is added.
+   * Default: on, phase 0.
    */
   void SetMoveWithTime(bool move) { this->MoveWithTime = move; }
   bool GetMoveWithTime() const { return this->MoveWithTime; }
@@ -127,15 +143,19 @@ public:
 
   ///@{
   /**
-   * With MoveWithTime: at the speed of the vectors instead of through a loop. TimeScale: time, in the unit of the vectors, per unit of the animation time. 0 (default):
-   * such that the fastest patterns move by at most PhaseCycles periods in LoopDuration. Default: off.
+   * With MoveWithTime: at the speed of the vectors instead of through a loop. TimeScale: time, in
+   * the unit of the vectors, per unit of the animation time. 0 (default): such that the fastest
+   * patterns move by at most PhaseCycles periods in LoopDuration. Default: off.
    */
   void SetTrueSpeed(bool speed) { this->TrueSpeed = speed; }
   void SetTimeScale(double scale) { this->TimeScale = scale; }
   ///@}
 
   ///@{
-  /** The legend of the motion, vtkSplatSpeedKey, and the unit of the vectors in it. Default: off, none. */
+  /**
+   * The legend of the motion, vtkSplatSpeedKey, and the unit of the vectors in it. Default: off,
+   * none.
+   */
   void SetShowSpeedKey(bool show) { this->SpeedKey->SetVisibility(show); }
   void SetSpeedUnit(const char* unit) { this->SpeedKey->SetSpeedUnit(unit ? unit : ""); }
   ///@}

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How several ranks draw one picture: each in its region, with the splats of others that reach into it, and by common measures.
+// How several ranks draw one picture: each in its region, with the splats of others that reach into
+// it, and by common measures.
 #include "vtkTexturedSplatsRepresentation.h"
 
 #include "ForwardedMessages.h"
@@ -48,7 +49,8 @@ vtkTexturedSplatsRepresentation::vtkTexturedSplatsRepresentation()
   : DefaultColors(new nephoscope::DefaultVectorColors)
   , Meeting(new vtkMeeting)
 {
-  // On several ranks samples travel without the cells between them and without their grid; pictures on one are the same.
+  // On several ranks samples travel without the cells between them and without their grid; pictures
+  // on one are the same.
   this->Mapper->InterpolateScalarsBeforeMappingOff();
   this->Mapper->OrderByLayersOff();
   this->Actor->SetMapper(this->Mapper);

@@ -125,7 +125,8 @@ void vtkTexturedSplatsRepresentation::SuitVectors(vtkDataSet* data)
   this->Mapper->SetVectorColor(this->VectorColor.data());
 }
 
-// A second of the mapper's film is a unit of the animation time or, where no scale is given, the time of a cycle.
+// A second of the mapper's film is a unit of the animation time or, where no scale is given, the
+// time of a cycle.
 void vtkTexturedSplatsRepresentation::MoveVectors()
 {
   this->Mapper->SetPhase(this->GetPhaseNow());

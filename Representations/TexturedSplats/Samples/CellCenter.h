@@ -12,7 +12,10 @@ class vtkDataSet;
 
 namespace nephoscope
 {
-/** The centre of mass of a cell; where it has no volume, or another type, the mean of its corners, each place once: the edge of a hexahedron may have no length. */
+/**
+ * The centre of mass of a cell; where it has no volume, or another type, the mean of its corners,
+ * each place once: the edge of a hexahedron may have no length.
+ */
 Vector3 CenterOfCell(vtkDataSet* data, vtkIdType id);
 }
 

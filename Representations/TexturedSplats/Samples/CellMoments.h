@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Volume, centre and covariance of a cell, of the tetrahedra or triangles that it consists of. Plain C++17.
+// Volume, centre and covariance of a cell, of the tetrahedra or triangles that it consists of.
+// Plain C++17.
 #ifndef nephoscope_CellMoments_h
 #define nephoscope_CellMoments_h
 
@@ -13,8 +14,9 @@
 namespace nephoscope
 {
 /*
- * A splat is its cell, blurred: its covariance is that of the cell plus that of the blur, which is the same for neighbours of like shape. On a lattice both
- * are multiples of the square of the shape, and the sum is the variance of the kernel, 0.45 squared.
+ * A splat is its cell, blurred: its covariance is that of the cell plus that of the blur, which is
+ * the same for neighbours of like shape. On a lattice both are multiples of the square of the
+ * shape, and the sum is the variance of the kernel, 0.45 squared.
  */
 constexpr double varianceOfKernel = 0.45 * 0.45, varianceOfCube = 1.0 / 12;
 constexpr double blurOfSquare = 1 - varianceOfCube / varianceOfKernel;

@@ -24,7 +24,8 @@ namespace
 {
 using Shares = std::vector<CellShare>;
 
-// The square of the shape of a sample, wider where cells taper to an apex, and that of a cell with the covariance of the cell.
+// The square of the shape of a sample, wider where cells taper to an apex, and that of a cell with
+// the covariance of the cell.
 SplatMatrix Blurred(const CellShares& shares, std::size_t i, SplatMatrix square)
 {
   const CellShare& share = shares.Shares[i];

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Shapes of the samples of unstructured cells. A point stands for its share of the cells around it, a cell's centre for the cell: an
- * ellipsoid of that volume, as long in every direction as the edges are in the mean. On the boundary cells lie on one side of a point; its
- * shape is as large as if they were on the other too, and it has that part of it that they fill. On hexahedra that are those of a
- * structured grid it is the same as there.
+ * Shapes of the samples of unstructured cells. A point stands for its share of the cells around it,
+ * a cell's centre for the cell: an ellipsoid of that volume, as long in every direction as the
+ * edges are in the mean. On the boundary cells lie on one side of a point; its shape is as large as
+ * if they were on the other too, and it has that part of it that they fill. On hexahedra that are
+ * those of a structured grid it is the same as there.
  */
 #ifndef nephoscope_CellSamples_h
 #define nephoscope_CellSamples_h
@@ -35,16 +36,25 @@ public:
     const auto hasShape = [](const std::array<float, 9>& shape) { return shape[0] != 0; };
     return !this->IsEmpty() && std::all_of(this->Shapes.begin(), this->Shapes.end(), hasShape);
   }
-  /** A point in the place of another that stands for both: at a seam, a pole, or where every cell has points of its own. */
+  /**
+   * A point in the place of another that stands for both: at a seam, a pole, or where every cell
+   * has points of its own.
+   */
   bool IsRepeated(vtkIdType id) const
   {
     return !this->Places.empty() && this->Places[static_cast<std::size_t>(id)] != id;
   }
-  /** A cell without an extent, as filters leave where they cut a mesh in its corners, or a point of nothing but such cells. */
+  /**
+   * A cell without an extent, as filters leave where they cut a mesh in its corners, or a point of
+   * nothing but such cells.
+   */
   bool IsNothing(vtkIdType id) const { return this->Share(id) == 0.0; }
   /** False where there are no cells around a point. */
   bool Get(vtkIdType id, SplatMatrix& jacobian) const;
-  /** The part of that shape's volume that the cells fill: less than 1 on the boundary, 0 if they have none. */
+  /**
+   * The part of that shape's volume that the cells fill: less than 1 on the boundary, 0 if they
+   * have none.
+   */
   double Share(vtkIdType id) const
   {
     return this->Parts.empty() ? 1.0 : double(this->Parts[static_cast<std::size_t>(id)]);

@@ -65,8 +65,8 @@ inline SplatMatrix SquareOfShape(const std::array<float, 9>& shape)
   return square;
 }
 
-// A lower triangle L with L L^T = m (Cholesky): the kernel of a splat depends on nothing else of its Jacobian. Columns are 0 where m has no
-// extent of its own.
+// A lower triangle L with L L^T = m (Cholesky): the kernel of a splat depends on nothing else of
+// its Jacobian. Columns are 0 where m has no extent of its own.
 inline SplatMatrix TriangularRoot(const SplatMatrix& m)
 {
   const double least = 1e-12 * (m[0][0] + m[1][1] + m[2][2]);
@@ -101,8 +101,9 @@ inline SplatMatrix BallOfEdge(double edge)
   return { { { { edge, 0, 0 } }, { { 0, edge, 0 } }, { { 0, 0, edge } } } };
 }
 
-// Cells without an extent, to rounding, are nothing: filters leave them where they cut a mesh in its corners. `length`: the cell's, in the mean; `edge`:
-// of a cube or square of its size; `rounding`: how far apart corners in one place may be.
+// Cells without an extent, to rounding, are nothing: filters leave them where they cut a mesh in
+// its corners. `length`: the cell's, in the mean; `edge`: of a cube or square of its size;
+// `rounding`: how far apart corners in one place may be.
 inline bool HasExtent(double edge, double length, double rounding)
 {
   constexpr double thinnest = 1e-4; // so that flat cells of any use remain
@@ -143,14 +144,16 @@ struct CellShare
     AddWeighted(this->Normals, other.Normals, 1);
   }
 
-  // Tetrahedra at an edge or corner of the data lie in so few directions that their edges do not tell of a shape.
+  // Tetrahedra at an edge or corner of the data lie in so few directions that their edges do not
+  // tell of a shape.
   bool IsOneSided() const { return this->Dimension == 3 && this->Tetrahedra && this->Angle < 0.45; }
 
   // The part of the ball that the cells fill.
   double Around() const { return this->Angle > 0.999 ? this->Angle : this->LatticeAngle; }
 
-  // The edge of a ball's cell that is as large; 0 if there is no cell. On a boundary cells lie on one side: as much is added on the other;
-  // there cells that go on beyond it count, as in a lattice, whose corners at an oblique edge are not alike.
+  // The edge of a ball's cell that is as large; 0 if there is no cell. On a boundary cells lie on
+  // one side: as much is added on the other; there cells that go on beyond it count, as in a
+  // lattice, whose corners at an oblique edge are not alike.
   double EdgeLength() const
   {
     const double around = this->Around();
@@ -158,8 +161,9 @@ struct CellShare
     return this->Dimension == 3 ? std::cbrt(size) : std::sqrt(size);
   }
 
-  // Where many thin tetrahedra meet in a point, little of them falls to it, far less than its edges span: its shape is that of the edges, and this
-  // is the part of it that counts. So it is where shapes overlap by intent. Else 1.
+  // Where many thin tetrahedra meet in a point, little of them falls to it, far less than its edges
+  // span: its shape is that of the edges, and this is the part of it that counts. So it is where
+  // shapes overlap by intent. Else 1.
   double Fill() const
   {
     constexpr double least = 0.1;
@@ -194,7 +198,8 @@ struct CellShare
     return root;
   }
 
-  // The edges of a surface, scaled to its area; across it, it is as thick as a ball's cell of this edge.
+  // The edges of a surface, scaled to its area; across it, it is as thick as a ball's cell of this
+  // edge.
   SplatMatrix SurfaceEdges(double edge) const
   {
     const auto trace = [](const SplatMatrix& m) { return m[0][0] + m[1][1] + m[2][2]; };

@@ -128,7 +128,8 @@ private:
     this->Found.Shares[static_cast<std::size_t>(this->Id)].Add(whole);
   }
 
-  // `edge`: of a cube or square of the cell's size; `squares`: of its length. Cells without an extent give nothing.
+  // `edge`: of a cube or square of the cell's size; `squares`: of its length. Cells without an
+  // extent give nothing.
   void GiveAll(
     double edge, double squares, const vtkIdType* points, const CellShare* shares, int count)
   {
@@ -141,7 +142,8 @@ private:
     }
   }
 
-  // `times`: of parts of a cell that overlap; `weights`: the parts of the volume that are nearest to each corner, if not by their angles.
+  // `times`: of parts of a cell that overlap; `weights`: the parts of the volume that are nearest
+  // to each corner, if not by their angles.
   void AddSolid(const CellKind& kind, const vtkIdType* points, double times = 1,
     const double* weights = nullptr)
   {

@@ -29,7 +29,10 @@ struct CellShares
     Rings; ///< of points, by their places; empty where no cell is a hexahedron
 };
 
-/** `places`: for each point the first one in its place, which gets all, or empty. `hidden`: flags of cells that do not count, or empty. */
+/**
+ * `places`: for each point the first one in its place, which gets all, or empty. `hidden`: flags of
+ * cells that do not count, or empty.
+ */
 CellShares FindCellShares(vtkDataSet* data, bool onCells, const std::vector<vtkIdType>& places,
   const std::vector<unsigned char>& hidden);
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Hexahedra that get narrower along one of their directions, as those of a fan do: those of all fans around an axis overlap where they meet. Plain C++17.
+// Hexahedra that get narrower along one of their directions, as those of a fan do: those of all
+// fans around an axis overlap where they meet. Plain C++17.
 #ifndef nephoscope_CellTaper_h
 #define nephoscope_CellTaper_h
 
@@ -26,7 +27,8 @@ struct TaperNeed
     this->Squares += weight * other.Squares;
   }
 
-  // To the square of a shape, of which some may be as wide as that already. `share`: the sum of the weights.
+  // To the square of a shape, of which some may be as wide as that already. `share`: the sum of the
+  // weights.
   void Widen(SplatMatrix& square, double share) const
   {
     double wide = 0, more = 0;
@@ -47,9 +49,10 @@ struct TaperNeed
 };
 
 /*
- * A splat is as wide at both ends as in its middle, and reaches farther than its cell. Where a fan of cells converges to an apex within its reach, splats of the whole
- * fan lie over one another there: too many of them, unless they are as wide as they are long. How near the apex is a cell knows by its own edges, whether
- * other cells meet it there or leave a hole.
+ * A splat is as wide at both ends as in its middle, and reaches farther than its cell. Where a fan
+ * of cells converges to an apex within its reach, splats of the whole fan lie over one another
+ * there: too many of them, unless they are as wide as they are long. How near the apex is a cell
+ * knows by its own edges, whether other cells meet it there or leave a hole.
  */
 class CellTaper
 {
@@ -57,7 +60,8 @@ public:
   // Corners in the order of VTK_HEXAHEDRON.
   explicit CellTaper(const Vector3* corners)
   {
-    // Per direction, the edges between the corners at the low and at the high end of each other direction.
+    // Per direction, the edges between the corners at the low and at the high end of each other
+    // direction.
     for (std::size_t n = 0; n < 3; ++n)
     {
       for (int corner = 0; corner < 8; ++corner)
@@ -110,7 +114,8 @@ private:
     return direction == 2 ? (corner + 4) % 8 : corner - corner % 4 + pairs[direction][corner % 4];
   }
 
-  // How much of the length a splat needs as its width that is so many cells from the apex: all of it at the apex, nothing where it does not reach it.
+  // How much of the length a splat needs as its width that is so many cells from the apex: all of
+  // it at the apex, nothing where it does not reach it.
   static double Weight(double cells)
   {
     constexpr double reach = 1.8;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The points that hexahedra join to a point: where they are as in a grid, they tell its axes. Plain C++17.
+// The points that hexahedra join to a point: where they are as in a grid, they tell its axes. Plain
+// C++17.
 #ifndef nephoscope_CornerRing_h
 #define nephoscope_CornerRing_h
 
@@ -11,9 +12,10 @@
 namespace nephoscope
 {
 /*
- * In a grid a point has at most six neighbours, two opposite ones along each axis. Each cell around the point has one neighbour per axis, so that opposite
- * ones are those that have no cell in common. Their central difference has the direction and the length of the axis, however much the grid is bent: squares
- * of the edges alone would count its bend as width.
+ * In a grid a point has at most six neighbours, two opposite ones along each axis. Each cell around
+ * the point has one neighbour per axis, so that opposite ones are those that have no cell in
+ * common. Their central difference has the direction and the length of the axis, however much the
+ * grid is bent: squares of the edges alone would count its bend as width.
  */
 class CornerRing
 {
@@ -42,7 +44,8 @@ public:
   // A cell of another kind.
   void Break() { this->Broken = true; }
 
-  // The edges of the point's cell, by `place(neighbour)`. False where the cells are not as in a grid.
+  // The edges of the point's cell, by `place(neighbour)`. False where the cells are not as in a
+  // grid.
   template <typename Place>
   bool FindAxes(const Vector3& here, const Place& place, SplatMatrix& axes) const
   {

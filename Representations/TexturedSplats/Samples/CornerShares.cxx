@@ -49,7 +49,8 @@ double SharesOfSolid(const CellKind& kind, const Vector3* x, double volume, doub
   }
   for (int i = 0; i < kind.Corners && all > 0; ++i)
   {
-    // Corners of tetrahedra have shares by their angles: what falls to a point then depends little on how space is cut into them.
+    // Corners of tetrahedra have shares by their angles: what falls to a point then depends little
+    // on how space is cut into them.
     const double even = all / kind.Corners;
     CellShare& share = shares[i];
     share.Dimension = 3;
@@ -108,7 +109,8 @@ std::array<double, 8> OctantsOfHexahedron(const HexahedronCorners& x)
     double& weight = weights[static_cast<std::size_t>(i)];
     for (int j = 0; j < 8; ++j)
     {
-      // One after the other around each of both ends, so that corners that differ by 2 there are across from each other.
+      // One after the other around each of both ends, so that corners that differ by 2 there are
+      // across from each other.
       const int around = (i - j) & 3;
       const int steps = (around == 2 ? 2 : around & 1) + int(i / 4 != j / 4);
       weight += spanned[j] * threes[3 - steps];

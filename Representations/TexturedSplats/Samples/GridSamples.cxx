@@ -38,7 +38,8 @@ Vector3 AcrossOf(const Vector3& v)
   return Scaled(across, 1 / Norm(across));
 }
 
-// Gives the axes along which there is one sample alone the geometric mean of the other edges, at right angles to them.
+// Gives the axes along which there is one sample alone the geometric mean of the other edges, at
+// right angles to them.
 void Thicken(SplatMatrix& columns, const std::array<bool, 3>& missing)
 {
   double logarithms = 0;
@@ -215,7 +216,8 @@ bool GridSamples::FindCell(const int index[3], Vector3 (&corners)[8]) const
   return *std::min_element(this->PointDimensions, this->PointDimensions + 3) > 1;
 }
 
-// Gives columns the lengths that the covariance of the cell asks for; `share`: the cell's volume over theirs.
+// Gives columns the lengths that the covariance of the cell asks for; `share`: the cell's volume
+// over theirs.
 void GridSamples::FitToCell(const Vector3 (&corners)[8], SplatMatrix& columns, double& share) const
 {
   CellMoments moments(corners[0]);
@@ -345,8 +347,9 @@ SplatMatrix GridSamples::WideColumns(const int index[3], double& share) const
   return columns;
 }
 
-// How long a column becomes at the next samples along another axis; where the grid ends it goes on as before. There half of the sample's cell is on one side, and
-// as long in the mean as a quarter of the way to the next.
+// How long a column becomes at the next samples along another axis; where the grid ends it goes on
+// as before. There half of the sample's cell is on one side, and as long in the mean as a quarter
+// of the way to the next.
 struct GridSamples::LengthsOfColumn
 {
   double Least, Greatest, Mean;
@@ -378,9 +381,10 @@ GridSamples::LengthsOfColumn GridSamples::LengthsBeside(
 }
 
 /*
- * The width that a column needs where cells meet at an axis or a centre, which they are directed to by another column: the length of that. 0 elsewhere. `share`: of the column's
- * length in its middle, the mean over the sample's cell. A column of no
- * length gets that of the cell's middle, across the others: half of the cell is as wide on the mean as a quarter of the next.
+ * The width that a column needs where cells meet at an axis or a centre, which they are directed to
+ * by another column: the length of that. 0 elsewhere. `share`: of the column's length in its
+ * middle, the mean over the sample's cell. A column of no length gets that of the cell's middle,
+ * across the others: half of the cell is as wide on the mean as a quarter of the next.
  */
 double GridSamples::WidthBeside(
   const int index[3], std::size_t axis, SplatMatrix& columns, double& share) const

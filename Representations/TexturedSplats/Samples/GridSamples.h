@@ -18,7 +18,10 @@ class vtkDataSet;
 namespace nephoscope
 {
 
-/** Positions and edges of the points, or of the cells, of an image, a rectilinear or a structured grid. */
+/**
+ * Positions and edges of the points, or of the cells, of an image, a rectilinear or a structured
+ * grid.
+ */
 class GridSamples
 {
 public:
@@ -41,21 +44,33 @@ public:
     this->IndexOf(id, index);
     return index[axis];
   }
-  /** Whether the point is in the last column of a grid that comes back to where it began along one of its axes (SplatSeam.h). */
+  /**
+   * Whether the point is in the last column of a grid that comes back to where it began along one
+   * of its axes (SplatSeam.h).
+   */
   bool IsRepeated(vtkIdType id) const;
-  /** Where the grid is one sample thick, it is as thick as its other edges are long, in the geometric mean; a single sample has the edge 1. Needles
-   * are wider than their cells. Cells of curved grids have the covariance of the cell (CellMoments.h). */
+  /**
+   * Where the grid is one sample thick, it is as thick as its other edges are long, in the
+   * geometric mean; a single sample has the edge 1. Needles are wider than their cells. Cells of
+   * curved grids have the covariance of the cell (CellMoments.h).
+   */
   SplatMatrix Jacobian(vtkIdType id) const;
   /** That of a column of the grid, which is longer or shorter than this one. */
   Vector3 Direction(vtkIdType id, int axis) const;
 
   /** Cells that do not count, one flag each; none if empty. */
   void SetHiddenCells(std::vector<unsigned char> hidden) { this->Hidden = std::move(hidden); }
-  /** The part of a point's cell that lies within the grid: half for each axis at one of whose ends the point is. 1 for cells. */
+  /**
+   * The part of a point's cell that lies within the grid: half for each axis at one of whose ends
+   * the point is. 1 for cells.
+   */
   double ShareInGrid(vtkIdType id) const;
   /** The part of that where cells are not hidden. */
   double ShareInShown(vtkIdType id) const;
-  /** By how much the cell of a sample is less than its shape: where cells meet at an axis they are needles, and shapes are wider (SplatNeedles.h). */
+  /**
+   * By how much the cell of a sample is less than its shape: where cells meet at an axis they are
+   * needles, and shapes are wider (SplatNeedles.h).
+   */
   double ShareInShape(vtkIdType id) const;
 
 private:

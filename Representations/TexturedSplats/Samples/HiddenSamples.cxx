@@ -84,7 +84,8 @@ std::vector<unsigned char> FindHiddenSamples(vtkDataSet* data, bool onCells, boo
   const int hiddenPoint = vtkDataSetAttributes::HIDDENPOINT |
     (withDuplicates ? 0 : int(vtkDataSetAttributes::DUPLICATEPOINT));
   Flags points = FlagsOf(data->GetPointGhostArray(), hiddenPoint);
-  // One after the other: a point between a hidden cell of this process and a shown one of another is shown.
+  // One after the other: a point between a hidden cell of this process and a shown one of another
+  // is shown.
   for (const int mask : { hiddenCell, duplicateCell })
   {
     const Flags cells = FlagsOf(data->GetCellGhostArray(), mask);

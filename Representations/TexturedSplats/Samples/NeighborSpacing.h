@@ -16,8 +16,10 @@ namespace nephoscope
 /** Bounds of the points that are at finite places, without those that are few and far away. */
 MediumBounds BulkOfPoints(vtkDataSet* data);
 
-/** The edge of a cube for each point, by the ball that its neighbours fill: its volume over their number; far from all
- * others their mean spacing; 0 at no finite place. */
+/**
+ * The edge of a cube for each point, by the ball that its neighbours fill: its volume over their
+ * number; far from all others their mean spacing; 0 at no finite place.
+ */
 std::vector<float> FindNeighborSpacing(vtkDataSet* data);
 
 } // namespace nephoscope

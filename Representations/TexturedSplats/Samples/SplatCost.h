@@ -14,7 +14,8 @@ constexpr long long manySplats = 4000000;
 // At most, while the first picture is made: Documentation/textured-splats.md, "Growth".
 constexpr double bytesOfSplat = 250;
 
-// Memory and time of all samples as splats, and what to do about it; empty where there are not many.
+// Memory and time of all samples as splats, and what to do about it; empty where there are not
+// many.
 inline std::string TellSplatCost(long long samples)
 {
   if (samples < manySplats)

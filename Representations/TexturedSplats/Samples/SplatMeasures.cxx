@@ -41,7 +41,8 @@ double WeightOf(const SplatMatrix& jacobian)
     std::max({ Norm(jacobian[0]), Norm(jacobian[1]), Norm(jacobian[2]) }));
 }
 
-// A point on the boundary of a mesh has no cell beyond it. The splat of a whole cell may be wider than the cell.
+// A point on the boundary of a mesh has no cell beyond it. The splat of a whole cell may be wider
+// than the cell.
 Vector3 HalfWithin(const SplatMatrix& jacobian, double share, bool wholeCells)
 {
   constexpr double inside = 0.99;
@@ -101,7 +102,8 @@ void ForEachSample(const SplatShapes& shapes, const Visit& visit)
   }
 }
 
-// Bounds of the samples' cells that lie in a box. All points of a flat mesh may be on its boundary: across it their cells count.
+// Bounds of the samples' cells that lie in a box. All points of a flat mesh may be on its boundary:
+// across it their cells count.
 MediumBounds BoundsWithin(const SplatShapes& shapes, const MediumBounds& box, bool wholeCells)
 {
   MediumBounds bounds = NoMediumBounds, whole = NoMediumBounds;

@@ -12,15 +12,16 @@ namespace nephoscope
 {
 
 /**
- * Bounds of the cells that the visible samples of all processes stand for, without parts that are few and far away. `data`, the piece of this one, may
- * be null.
+ * Bounds of the cells that the visible samples of all processes stand for, without parts that are
+ * few and far away. `data`, the piece of this one, may be null.
  */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumBounds BoundsOfSamples(
   vtkDataSet* data, const SplatSampling& sampling, const MediumReduction& over = {});
 
 /**
- * Measures a piece, which may be null, whose samples are points or cells, as far as it lies in the bounds of all pieces. `scalars` may be null, vectors count by
- * their magnitude; `opacity` may be empty. Integrals come from about 1e5 samples.
+ * Measures a piece, which may be null, whose samples are points or cells, as far as it lies in the
+ * bounds of all pieces. `scalars` may be null, vectors count by their magnitude; `opacity` may be
+ * empty. Integrals come from about 1e5 samples.
  */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures MeasureSplats(vtkDataSet* data,
   const SplatSampling& sampling, vtkDataArray* scalars,
@@ -34,9 +35,10 @@ struct SuitedVectors
 };
 
 /**
- * Such that streaks and the medium can both be seen, from the measures of the vectors: streaks of the mean speed get an optical depth of 0.6, the fastest
- * at least 0.8 and at most 2. A ray meets as many streaks as of 7 samples with the greatest speed, at most, and there are at most 6000 in a sheet, up to 7 times
- * as many in deep data. `greatestSpeed`
+ * Such that streaks and the medium can both be seen, from the measures of the vectors: streaks of
+ * the mean speed get an optical depth of 0.6, the fastest at least 0.8 and at most 2. A ray meets
+ * as many streaks as of 7 samples with the greatest speed, at most, and there are at most 6000 in a
+ * sheet, up to 7 times as many in deep data. `greatestSpeed`
  * 0: that of the measures; `count`: of vectors that are not 0.
  */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SuitedVectors SuitVectorsTo(

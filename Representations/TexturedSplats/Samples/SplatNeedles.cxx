@@ -20,11 +20,13 @@ namespace nephoscope
 {
 namespace
 {
-// Squares of widths. Around an axis, where the mean of squares is half of the greatest one, cells get as wide as they are long but for `wide`.
+// Squares of widths. Around an axis, where the mean of squares is half of the greatest one, cells
+// get as wide as they are long but for `wide`.
 constexpr double narrow = 1.0 / 9, wide = 0.8, aroundAxis = 2;
 
-// False, at little cost, for nearly all samples of even meshes: the ellipsoid is not three times as long as it is wide. The product of the squares of
-// its three lengths is at most the least one times the square of half the sum of all.
+// False, at little cost, for nearly all samples of even meshes: the ellipsoid is not three times as
+// long as it is wide. The product of the squares of its three lengths is at most the least one
+// times the square of half the sum of all.
 bool MayBeNeedle(const std::array<float, 9>& shape)
 {
   const SplatMatrix m = MatrixOfShape(shape);
@@ -37,7 +39,8 @@ bool MayBeNeedle(const std::array<float, 9>& shape)
   return sum > 0 && volume * volume < narrow * sum * 0.25 * sum * sum;
 }
 
-// The axes of a sample's ellipsoid and the squares of their lengths, and of the lengths that they need.
+// The axes of a sample's ellipsoid and the squares of their lengths, and of the lengths that they
+// need.
 class Needle
 {
 public:
@@ -109,7 +112,8 @@ private:
   Vector3 Squares{}, Needed{};
 };
 
-// Pairs of corners: of hexahedra and quadrilaterals edges, of others all, as if they were divided into tetrahedra.
+// Pairs of corners: of hexahedra and quadrilaterals edges, of others all, as if they were divided
+// into tetrahedra.
 template <typename Visit>
 void ForEachEdge(int type, vtkIdType corners, const Visit& visit)
 {

@@ -48,7 +48,8 @@ SplatSamples::Jacobian ToFloat(const SplatMatrix& matrix)
   return result;
 }
 
-// Less than 0, 0, or more: the values of two samples, array by array. Values that are not numbers come last.
+// Less than 0, 0, or more: the values of two samples, array by array. Values that are not numbers
+// come last.
 int CompareValues(vtkFieldData* arrays, vtkIdType a, vtkIdType b)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
@@ -70,7 +71,8 @@ int CompareValues(vtkFieldData* arrays, vtkIdType a, vtkIdType b)
   return 0;
 }
 
-// Drops what is nowhere, and brings the rest into the order of places; in one place, of values, so that the input's order is without effect.
+// Drops what is nowhere, and brings the rest into the order of places; in one place, of values, so
+// that the input's order is without effect.
 void SortByPlace(vtkFieldData* arrays, std::vector<vtkIdType>& ids, std::vector<Vector3>& places)
 {
   std::vector<std::size_t> order;

@@ -3,11 +3,14 @@
 /**
  * The samples of a dataset that become splats: where they are and which shape they have.
  *
- * A sample is a point, or the centre of a cell where the data are on cells. Its shape is the Jacobian of its grid cell: three
- * edge vectors, by central differences on structured grids. Where there is no grid (particles, unstructured points) it is a
- * ball of the cell size that is asked for, or of the mean spacing; samples of unstructured cells have the shape of those (CellSamples.h).
+ * A sample is a point, or the centre of a cell where the data are on cells. Its shape is the
+ * Jacobian of its grid cell: three edge vectors, by central differences on structured grids. Where
+ * there is no grid (particles, unstructured points) it is a ball of the cell size that is asked
+ * for, or of the mean spacing; samples of unstructured cells have the shape of those
+ * (CellSamples.h).
  *
- * Samples stand in an order that does not depend on the order of the input: by x, then y, then z, then their values.
+ * Samples stand in an order that does not depend on the order of the input: by x, then y, then z,
+ * then their values.
  */
 #ifndef nephoscope_SplatSamples_h
 #define nephoscope_SplatSamples_h
@@ -46,7 +49,10 @@ struct SplatSamples
   /** Dimensions of the structured grid whose samples these are: Ids count along x, y, z. */
   int Dimensions[3] = { 0, 0, 0 };
 
-  /** Whether these are voxels of a sparse volume, with the edges Voxel; FirstVoxel (relative to the centre) is where indices are 0. */
+  /**
+   * Whether these are voxels of a sparse volume, with the edges Voxel; FirstVoxel (relative to the
+   * centre) is where indices are 0.
+   */
   bool AreVoxels = false;
   SplatMatrix Voxel{};
   Vector3 FirstVoxel{};
@@ -74,7 +80,10 @@ struct SplatSamples
 /** Bounds of the points with finite positions. */
 void FindPlaceBounds(vtkDataSet* data, double bounds[6]);
 
-/** Edge of a cube that each of so many samples would have if they filled the bounds; 1 where they are all in one place. */
+/**
+ * Edge of a cube that each of so many samples would have if they filled the bounds; 1 where they
+ * are all in one place.
+ */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT double MeanSpacing(
   const double bounds[6], std::size_t count);
 
@@ -84,7 +93,10 @@ int NumberOfAxes(const double bounds[6]);
 /** Those of samples that have been found with these shapes. */
 void FindJacobians(const SplatShapes& shapes, SplatSamples& samples);
 
-/** Hidden and duplicate samples, and those without a finite position, are left out. Empty result or `error`. */
+/**
+ * Hidden and duplicate samples, and those without a finite position, are left out. Empty result or
+ * `error`.
+ */
 SplatSamples FindSplatSamples(vtkDataSet* data, const SplatSampling& sampling, std::string& error);
 
 } // namespace nephoscope

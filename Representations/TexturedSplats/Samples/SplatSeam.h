@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether a structured grid comes back to where it began along an axis, as a globe does: its last column of points is then its first
-// once more, to be drawn once. Plain C++17.
+// Whether a structured grid comes back to where it began along an axis, as a globe does: its last
+// column of points is then its first once more, to be drawn once. Plain C++17.
 #ifndef nephoscope_SplatSeam_h
 #define nephoscope_SplatSeam_h
 
@@ -23,7 +23,8 @@ public:
     this->Farthest = std::max(this->Farthest, Norm(last - first));
   }
 
-  // All of the last column lies where the first does, to a ten thousandth of the longest edge between columns.
+  // All of the last column lies where the first does, to a ten thousandth of the longest edge
+  // between columns.
   bool IsClosed() const
   {
     return this->LongestEdge > 0 && this->Farthest <= 1e-4 * this->LongestEdge;

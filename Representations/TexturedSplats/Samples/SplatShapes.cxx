@@ -29,7 +29,8 @@ namespace nephoscope
 {
 namespace
 {
-// Parts of the longest edge: cells at the poles, and the like, keep a thickness; cells of weather models may be as thin as the second.
+// Parts of the longest edge: cells at the poles, and the like, keep a thickness; cells of weather
+// models may be as thin as the second.
 constexpr double flatShare = 0.02, thinnest = 1e-4;
 
 constexpr int jacobianSize = 9;
@@ -278,7 +279,8 @@ double SplatShapes::ShareInShown(vtkIdType id) const
                              : this->Cells.Share(id);
 }
 
-// Filters that cut cells may leave several points in one place, and not the same number of them in a piece and in the whole.
+// Filters that cut cells may leave several points in one place, and not the same number of them in
+// a piece and in the whole.
 void SplatShapes::FindRepeated()
 {
   const std::vector<vtkIdType> places = FindPlaces(this->Data);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernels of SplatKernel.h by definition, and what its coefficients mean: the reference for SplatFootprint.glsl. Plain C++17.
+// The kernels of SplatKernel.h by definition, and what its coefficients mean: the reference for
+// SplatFootprint.glsl. Plain C++17.
 #ifndef nephoscope_SplatKernelValues_h
 #define nephoscope_SplatKernelValues_h
 
@@ -50,8 +51,9 @@ inline double ShareBefore(double z)
 }
 }
 
-// The share of the kernel's mass along a line at distance rho of its centre that lies before z, counted from the point nearest to the
-// centre. The quadratic kernel, a footprint without depth, is as deep as the cubic one of the same radius.
+// The share of the kernel's mass along a line at distance rho of its centre that lies before z,
+// counted from the point nearest to the centre. The quadratic kernel, a footprint without depth, is
+// as deep as the cubic one of the same radius.
 inline double KernelShareBefore(SplatKernel kernel, double rho, double z)
 {
   if (kernel == SplatKernel::Gaussian)

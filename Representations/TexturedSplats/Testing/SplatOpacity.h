@@ -18,15 +18,16 @@ struct SplatLight
   double Transparency = 1.0;
 };
 
-// Opacity of an optical depth (extinction times footprint). The product over splats is the exact transparency of the
-// reconstructed field, in any order; with an opacity that is linear in the footprint it is not.
+// Opacity of an optical depth (extinction times footprint). The product over splats is the exact
+// transparency of the reconstructed field, in any order; with an opacity that is linear in the
+// footprint it is not.
 inline double SplatAlpha(double opticalDepth)
 {
   return -std::expm1(-opticalDepth);
 }
 
-// A splat of medium with a vector drawn in its middle plane: half of the medium hides the vector, and the vector hides
-// the other half.
+// A splat of medium with a vector drawn in its middle plane: half of the medium hides the vector,
+// and the vector hides the other half.
 inline SplatLight MediumAndVector(
   double opticalDepth, const SplatColor& medium, double vectorAlpha, const SplatColor& vector)
 {

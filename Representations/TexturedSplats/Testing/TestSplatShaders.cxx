@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// SplatFootprint.glsl against SplatKernelValues.h, and VectorTexture.glsl against VectorTextureValues.h.
+// SplatFootprint.glsl against SplatKernelValues.h, and VectorTexture.glsl against
+// VectorTextureValues.h.
 #include "ShaderRunner.h"
 
 #include "SplatKernelValues.h"
@@ -153,7 +154,8 @@ TEST(VectorTextureShader, Streaks)
     {
       const streaks::Shape shape = ShapeOf(shapes[i], spacing);
       const auto& p = places[i];
-      // Where one streak follows the next the texture steps: a rounded place may lie on the other side.
+      // Where one streak follows the next the texture steps: a rounded place may lie on the other
+      // side.
       const double step = 1e-6 * shape.Period;
       double low = 1, high = 0;
       for (const double x : { p[0] - step, double(p[0]), p[0] + step })

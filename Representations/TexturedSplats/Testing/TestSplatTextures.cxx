@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Textures of vector splats: coverage of segments; motion, mean, blur and sense of streaks; the kernel that is lengthened for them. */
+/**
+ * Textures of vector splats: coverage of segments; motion, mean, blur and sense of streaks; the
+ * kernel that is lengthened for them.
+ */
 #include "ContrastingColor.h"
 #include "EllipsoidSplat.h"
 #include "SplatKernelValues.h"
@@ -183,7 +186,8 @@ TEST(Streaks, StayBetweenZeroAndOneWithoutJumps)
   }
 }
 
-// A kernel that is lengthened along a vector still sums up to a constant over the lattice, times its length.
+// A kernel that is lengthened along a vector still sums up to a constant over the lattice, times
+// its length.
 TEST(Streaks, LengthenedKernelIsFlat)
 {
   std::mt19937 random(3);

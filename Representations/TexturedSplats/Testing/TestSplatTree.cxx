@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** The hierarchy of splats against sums over its leaves: moments, mass and emission of every cut, tolerance, budget, fading. */
+/**
+ * The hierarchy of splats against sums over its leaves: moments, mass and emission of every cut,
+ * tolerance, budget, fading.
+ */
 #include "SplatClasses.h"
 #include "SplatCut.h"
 #include "SplatError.h"
@@ -33,7 +36,8 @@ struct Scene
   SplatClasses Classes;
 };
 
-// Splats of a lattice of cells of 0.5 x 1 x 2, some of them left out; or of particles, if `dimensions` are of none.
+// Splats of a lattice of cells of 0.5 x 1 x 2, some of them left out; or of particles, if
+// `dimensions` are of none.
 Scene MakeScene(Random& random, std::array<int, 3> n, bool lattice, double left = 0.2)
 {
   Scene scene;
@@ -180,8 +184,8 @@ TEST(SplatTree, FlatCellsArePutTogetherAlongTheirShortEdges)
   EXPECT_NEAR(first.Jacobian[2][2], 2, 1e-5);
 }
 
-// The root of the integral of the square of what the splats differ from their node, on the screen of a parallel view along z, by a sum
-// over pixels.
+// The root of the integral of the square of what the splats differ from their node, on the screen
+// of a parallel view along z, by a sum over pixels.
 TEST(SplatTree, ErrorsAreThoseOfAPicture)
 {
   Random random(38);

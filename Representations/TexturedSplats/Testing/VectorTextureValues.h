@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is drawn on a vector splat, in double precision: the reference for VectorTexture.glsl. Plain C++17.
+// What is drawn on a vector splat, in double precision: the reference for VectorTexture.glsl. Plain
+// C++17.
 #ifndef nephoscope_VectorTextureValues_h
 #define nephoscope_VectorTextureValues_h
 
@@ -41,7 +42,8 @@ inline double Hypot(double a, double b)
   return std::sqrt(a * a + b * b);
 }
 
-// One streak whose head is at the origin; across, and in front of the head, a gaussian that is blurred by the pixel's.
+// One streak whose head is at the origin; across, and in front of the head, a gaussian that is
+// blurred by the pixel's.
 inline double Comet(const Shape& shape, double behind, double across)
 {
   const double t = std::clamp(behind / shape.Tail, 0.0, 1.0);
@@ -87,7 +89,8 @@ inline double Dot(const Shape& shape, double x, double y)
   return peak * peak * std::exp(-0.5 * (x * x + y * y) / (blurred * blurred));
 }
 
-// The texture, 0 to 1: streaks where the vector lies across the ray, a dot where it is along it, the mean where pixels are too coarse.
+// The texture, 0 to 1: streaks where the vector lies across the ray, a dot where it is along it,
+// the mean where pixels are too coarse.
 inline double Value(const Shape& shape, double x, double y, double phase, double row)
 {
   const double streaked = SmoothStep(steep, flat, shape.Period / shape.Width);
@@ -110,7 +113,8 @@ inline double ErrorFunction(double x)
   return std::copysign(1.0 - sum * std::exp(-x * x), x);
 }
 
-// Share of a pixel that a segment along x, about the origin, covers: exact for a gaussian filter. Its integral is length times width.
+// Share of a pixel that a segment along x, about the origin, covers: exact for a gaussian filter.
+// Its integral is length times width.
 inline double SegmentCoverage(const LineSegment& segment, double x, double y)
 {
   const double s = 1.0 / (segment.FilterWidth * std::sqrt(2.0));

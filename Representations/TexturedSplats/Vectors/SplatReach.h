@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How far what is drawn of a splat reaches: its kernel, and its vector, which may be longer. Plain C++17.
+// How far what is drawn of a splat reaches: its kernel, and its vector, which may be longer. Plain
+// C++17.
 #ifndef nephoscope_SplatReach_h
 #define nephoscope_SplatReach_h
 
@@ -12,10 +13,12 @@
 
 namespace nephoscope
 {
-// The kernel on which streaks are drawn has, along the vector, cells of this share of the streaks' period at least.
+// The kernel on which streaks are drawn has, along the vector, cells of this share of the streaks'
+// period at least.
 constexpr double streakKernelShare = 0.5;
 
-// From the place of a segment to the end of it, or of the one that fades out, in segments: half of one, and the way it moves.
+// From the place of a segment to the end of it, or of the one that fades out, in segments: half of
+// one, and the way it moves.
 constexpr double segmentReach = 0.5 + 0.5 * (1.0 + segmentFade);
 
 // Lengths in units of the data.
@@ -47,7 +50,8 @@ inline SplatMatrix LengthenedCell(
   return lengthened;
 }
 
-// At most, from the centre of a splat whose Jacobian stretches lengths by `stretch`, whatever its vector. A segment is somewhere in its cell.
+// At most, from the centre of a splat whose Jacobian stretches lengths by `stretch`, whatever its
+// vector. A segment is somewhere in its cell.
 inline double VectorReach(const VectorLook& look, double kernelRadius, double stretch)
 {
   constexpr double halfDiagonal = 0.866026;

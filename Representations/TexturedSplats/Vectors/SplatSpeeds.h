@@ -16,7 +16,8 @@
 
 namespace nephoscope
 {
-// Speeds are counted in bins by the leading bits of their number: counts of several processes add up to those of one.
+// Speeds are counted in bins by the leading bits of their number: counts of several processes add
+// up to those of one.
 class SpeedCounts
 {
 public:

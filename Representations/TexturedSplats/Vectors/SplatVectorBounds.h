@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Speeds and lengths of the vectors of a dataset's samples, and how far what is drawn of them reaches, without making a list of them. */
+/**
+ * Speeds and lengths of the vectors of a dataset's samples, and how far what is drawn of them
+ * reaches, without making a list of them.
+ */
 #ifndef nephoscope_SplatVectorBounds_h
 #define nephoscope_SplatVectorBounds_h
 
@@ -35,7 +38,10 @@ VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT VectorSums SumVectors(
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT SpeedCounts CountSpeeds(
   vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* vectors);
 
-/** Extends the bounds of splats to those of their streaks, or of their segments; all of these as if they were of the greatest speed. */
+/**
+ * Extends the bounds of splats to those of their streaks, or of their segments; all of these as if
+ * they were of the greatest speed.
+ */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT void AddVectorBounds(const SplatShapes& shapes,
   vtkDataArray* vectors, const VectorLook& look, double kernelRadius, double bounds[6]);
 

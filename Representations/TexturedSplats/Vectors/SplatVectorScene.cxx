@@ -63,7 +63,8 @@ std::string CheckVectors(vtkDataSet* data, bool onCells, const SplatVectorSettin
   vtkDataArray* array = attributes->GetArray(settings.ArrayName.c_str());
   if (!array || array->GetNumberOfComponents() != 3)
   {
-    // On several ranks of ParaView arrays of points have become arrays of cells: neither word would help.
+    // On several ranks of ParaView arrays of points have become arrays of cells: neither word would
+    // help.
     return "No array of three components named '" + settings.ArrayName +
       "' for the vectors is where the coloured array is. Choose one with SetVectorArrayName; arrays of three components there: " +
       NamesOfArrays(attributes, 3) + ".";

@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** From arrays and settings to the vectors that are drawn: what has not changed is not read or copied again. */
+/**
+ * From arrays and settings to the vectors that are drawn: what has not changed is not read or
+ * copied again.
+ */
 #ifndef nephoscope_SplatVectorScene_h
 #define nephoscope_SplatVectorScene_h
 

@@ -3,8 +3,9 @@
 /**
  * The vectors of splats and how far their patterns have moved.
  *
- * The pattern of a splat moves along its vector by speed * time: its phase, in periods, is added to in steps, so that it does not
- * jump when the wind changes. Every splat starts at a phase of its own, which hides the lattice of the samples.
+ * The pattern of a splat moves along its vector by speed * time: its phase, in periods, is added to
+ * in steps, so that it does not jump when the wind changes. Every splat starts at a phase of its
+ * own, which hides the lattice of the samples.
  */
 #ifndef nephoscope_SplatVectors_h
 #define nephoscope_SplatVectors_h
@@ -28,7 +29,9 @@ namespace nephoscope
 struct SplatClasses;
 struct SplatSamples;
 
-/** Where in a loop of pictures the patterns are, or how far they are at the speed of their vectors. */
+/**
+ * Where in a loop of pictures the patterns are, or how far they are at the speed of their vectors.
+ */
 struct SplatLoop
 {
   double Share = 0;          ///< 0 to 1
@@ -51,16 +54,20 @@ class SplatVectors
 {
 public:
   /**
-   * The vectors of all samples; values that are not finite become 0. Where the input has as many points or cells as before, each of
-   * them goes on from where its pattern was.
+   * The vectors of all samples; values that are not finite become 0. Where the input has as many
+   * points or cells as before, each of them goes on from where its pattern was.
    */
   void Read(vtkDataSet* data, bool onCells, vtkDataArray* vectors, const SplatSamples& samples);
 
-  /** Moves all patterns on by a time, in the units of the vectors' speed; `period`: length of the pattern. */
+  /**
+   * Moves all patterns on by a time, in the units of the vectors' speed; `period`: length of the
+   * pattern.
+   */
   void Advance(double time, double period);
 
   /**
-   * At true speed, to be called before other vectors are read: patterns go on from where they are in the picture of `last`.
+   * At true speed, to be called before other vectors are read: patterns go on from where they are
+   * in the picture of `last`.
    * Where `next` is the start of the film, they start anew.
    */
   void KeepMotion(const SplatLoop& last, const SplatLoop& next);

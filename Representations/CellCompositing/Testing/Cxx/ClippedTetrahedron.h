@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Random tetrahedra, and rays through them by clipping with the planes of the faces: the reference for projections. */
+/**
+ * Random tetrahedra, and rays through them by clipping with the planes of the faces: the reference
+ * for projections.
+ */
 #ifndef nephoscope_ClippedTetrahedron_h
 #define nephoscope_ClippedTetrahedron_h
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Which tetrahedron lies in front of which, found without FaceNeighbors: pairs with three places in common, and determinants
- * in long double.
+ * Which tetrahedron lies in front of which, found without FaceNeighbors: pairs with three places in
+ * common, and determinants in long double.
  */
 #ifndef nephoscope_FaceRelations_h
 #define nephoscope_FaceRelations_h
@@ -75,8 +75,8 @@ inline long double Orient(const Vector3* f, const Vector4& x)
 }
 
 /**
- * Below this, moving the points by the rounding of float coordinates (of size 1) can turn the sign of orient: the face is seen
- * edge-on, and its owners do not overlap in the picture.
+ * Below this, moving the points by the rounding of float coordinates (of size 1) can turn the sign
+ * of orient: the face is seen edge-on, and its owners do not overlap in the picture.
  */
 inline long double EdgeOnTolerance(const Vector3* f, const Vector4& eye)
 {
@@ -99,7 +99,8 @@ inline std::vector<Relation> FindRelations(
       const Vector3& apex = f.Apexes[owner];
       return Orient(f.Points, { { apex[0], apex[1], apex[2], 1 } });
     };
-    // Where a non-planar cell folds back, both owners lie on one side of the face: neither is in front.
+    // Where a non-planar cell folds back, both owners lie on one side of the face: neither is in
+    // front.
     const bool folded = (apexSide(0) > 0) == (apexSide(1) > 0);
     if (std::abs(eyeSide) > EdgeOnTolerance(f.Points, eye) && !folded)
     {

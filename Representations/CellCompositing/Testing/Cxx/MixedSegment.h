@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * A ray segment in several overlapping media. Extinctions add, and every medium emits in proportion to its own:
+ * A ray segment in several overlapping media. Extinctions add, and every medium emits in proportion
+ * to its own:
  *   a(t) = sum a_m(t),   E(t) = sum a_m(t) C_m(t),   I = int_0^1 E(t) exp(-A(t)) dt.
- * All a_m and C_m are linear along the segment, so that E is quadratic. With the mixed colours L of the two ends, E / a there,
- *   E(t) = a(t) ((1 - t) L_front + t L_back) + bulge t (1 - t),   bulge = 4 E(1/2) - (a_front + a_back) (L_front + L_back),
- * and the first part is the segment of one medium (OpticalSegment.h). Where a medium ends at extinction 0 on one side, L is 0 there and
- * the bulge makes up for it. One medium alone has no bulge.
+ * All a_m and C_m are linear along the segment, so that E is quadratic. With the mixed colours L of
+ * the two ends, E / a there,
+ *   E(t) = a(t) ((1 - t) L_front + t L_back) + bulge t (1 - t),
+ *   bulge = 4 E(1/2) - (a_front + a_back) (L_front + L_back),
+ * and the first part is the segment of one medium (OpticalSegment.h). Where a medium ends at
+ * extinction 0 on one side, L is 0 there and the bulge makes up for it. One medium alone has no
+ * bulge.
  *
  * shaders/MixedSegment.glsl is the same algorithm.
  */
@@ -48,7 +52,10 @@ Real BulgeWeight(Real tauFront, Real tauBack)
   return weight * end;
 }
 
-/** One channel of the light: emission at both ends and in the middle, and extinction at both ends, each times the segment's length. */
+/**
+ * One channel of the light: emission at both ends and in the middle, and extinction at both ends,
+ * each times the segment's length.
+ */
 template <typename Real>
 Real MixedLight(
   Real emissionFront, Real emissionMiddle, Real emissionBack, Real tauFront, Real tauBack)

@@ -33,7 +33,10 @@ inline CellGeometry BuildGeometry(vtkDataSet* data)
 class BlockMesh
 {
 public:
-  /** A box of n0 x n1 x n2 hexahedra, those left out for which skip(i, j, k), with corners moved by `place`. */
+  /**
+   * A box of n0 x n1 x n2 hexahedra, those left out for which skip(i, j, k), with corners moved by
+   * `place`.
+   */
   template <typename Skip, typename Move>
   void AddBox(const int n[3], Skip skip, Move place)
   {
@@ -140,8 +143,8 @@ vtkSmartPointer<vtkUnstructuredGrid> PickTetrahedra(
 }
 
 /**
- * A ring of n prisms around the z axis between triangles that all lean forward: seen from above, each prism lies over the
- * next one, all the way round.
+ * A ring of n prisms around the z axis between triangles that all lean forward: seen from above,
+ * each prism lies over the next one, all the way round.
  */
 inline vtkSmartPointer<vtkUnstructuredGrid> MakeLeaningRing(int n)
 {
@@ -170,7 +173,10 @@ inline vtkSmartPointer<vtkUnstructuredGrid> MakeLeaningRing(int n)
   return MakeGrid(points, cells);
 }
 
-/** A tube around the z axis in n sectors, m layers and m levels, twisted: each sector leans over the next. */
+/**
+ * A tube around the z axis in n sectors, m layers and m levels, twisted: each sector leans over the
+ * next.
+ */
 inline vtkSmartPointer<vtkStructuredGrid> MakeTwistedTube(int n, int m, double twist)
 {
   const double pi = std::acos(-1.0);

@@ -1,19 +1,26 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * The projection of a tetrahedron to a fan of triangles around its thick vertex (ShirleyTuchman1990), and the table of
- * 1 - exp(-u) that the opacity may be looked up in (SteinBeckerMax1994).
+ * The projection of a tetrahedron to a fan of triangles around its thick vertex
+ * (ShirleyTuchman1990), and the table of 1 - exp(-u) that the opacity may be looked up in
+ * (SteinBeckerMax1994).
  *
- * With the coordinates q of the eye (TetrahedronRay.h), sum q_i P_i = 0 in eye space. The vertices with q > 0 and those with q < 0
- * span two simplices that cross on one ray: there the tetrahedron is thickest. Where the ray enters, and where it leaves,
- *   X+ = sum_{q > 0} q_i P_i / M+   and   X- = sum_{q < 0} |q_i| P_i / M-,   M+- = sum of the |q_i|;
- * X+ is in front because q is so normalised that X+ = X- + (eye - eye.w X-) / M+ in either projection. One formula for all of
- * Shirley and Tuchman's classes, without a tolerance: X+ and X- are continuous where a tetrahedron changes class.
+ * With the coordinates q of the eye (TetrahedronRay.h), sum q_i P_i = 0 in eye space. The vertices
+ * with q > 0 and those with q < 0 span two simplices that cross on one ray: there the tetrahedron
+ * is thickest. Where the ray enters, and where it leaves,
+ *   X+ = sum_{q > 0} q_i P_i / M+   and   X- = sum_{q < 0} |q_i| P_i / M-,
+ *   M+- = sum of the |q_i|;
+ * X+ is in front because q is so normalised that X+ = X- + (eye - eye.w X-) / M+ in either
+ * projection. One formula for all of Shirley and Tuchman's classes, without a tolerance: X+ and X-
+ * are continuous where a tetrahedron changes class.
  *
- * Inside each triangle of the fan the ray meets one front and one back face. What is linear on the screen there:
- *   perspective: 1 / z at the front and at the back face, and attributes times these;   parallel: z and attributes.
+ * Inside each triangle of the fan the ray meets one front and one back face. What is linear on the
+ * screen there:
+ *   perspective: 1 / z at the front and at the back face, and attributes times these;
+ *   parallel: z and attributes.
  *
- * shaders/ProjectedTriangles.glsl is the same algorithm; TestProjectedTrianglesShader compares the two.
+ * shaders/ProjectedTriangles.glsl is the same algorithm; TestProjectedTrianglesShader compares the
+ * two.
  */
 #ifndef nephoscope_ProjectedTriangles_h
 #define nephoscope_ProjectedTriangles_h
@@ -69,8 +76,9 @@ constexpr int tetrahedronEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 1, 2 },
   { 2, 3 } };
 
 /**
- * Whether the edge (a, b) and the thick vertex make a triangle of the fan. They do not where the edge's line passes through the
- * thick vertex, which it does when the edge holds all positive, or all negative vertices.
+ * Whether the edge (a, b) and the thick vertex make a triangle of the fan. They do not where the
+ * edge's line passes through the thick vertex, which it does when the edge holds all positive, or
+ * all negative vertices.
  */
 inline bool IsFanEdge(const TetrahedronProjection& p, int a, int b)
 {
@@ -78,7 +86,9 @@ inline bool IsFanEdge(const TetrahedronProjection& p, int a, int b)
   return (p.Positive & ~edge) != 0 && (p.Negative & ~edge) != 0;
 }
 
-/** ShirleyTuchman1990's classes: 1 (3 triangles), 2 (4 triangles), 3 (2), 4 (1); 0: nothing to draw. */
+/**
+ * ShirleyTuchman1990's classes: 1 (3 triangles), 2 (4 triangles), 3 (2), 4 (1); 0: nothing to draw.
+ */
 inline int ProjectionClass(const TetrahedronProjection& p)
 {
   constexpr int classOfTriangles[5] = { 0, 4, 3, 1, 2 };
@@ -90,7 +100,9 @@ inline int ProjectionClass(const TetrahedronProjection& p)
   return classOfTriangles[triangles];
 }
 
-/** The table read with linear interpolation, as a texture unit does; the last entry beyond its end. */
+/**
+ * The table read with linear interpolation, as a texture unit does; the last entry beyond its end.
+ */
 template <typename Real>
 Real LookUpOpacity(const std::vector<float>& table, Real end, Real u)
 {

@@ -171,7 +171,8 @@ TEST(CellGeometry, RectilinearGrid)
 
 TEST(CellGeometry, PoleOfAShell)
 {
-  // Up to the poles: the ends of the meridians coincide, and cells there lose an edge, but no volume.
+  // Up to the poles: the ends of the meridians coincide, and cells there lose an edge, but no
+  // volume.
   const CellGeometry geometry = BuildNumbered(MakeShell(48, 24, 2, 90, 1, 1.2));
   EXPECT_EQ(geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells, 0);
   EXPECT_GT(geometry.Tetrahedra.size(), 48u * 22 * 2 * 5);
@@ -289,7 +290,8 @@ TEST(CellGeometry, TetrahedraOfAnInputThatChanges)
   EXPECT_FALSE(geometry.Tetrahedra.Follow(other)) << "to be made again";
 }
 
-// Cells are cut by places, not by numbers: blocks and ranks that number their points differently fit together.
+// Cells are cut by places, not by numbers: blocks and ranks that number their points differently
+// fit together.
 TEST(CellGeometry, NumberingDoesNotChangeTheCuts)
 {
   Random random(42);

@@ -112,7 +112,8 @@ TEST(CellGeometryValues, SkipsCellsAtHiddenPoints)
   EXPECT_EQ(BuildNumbered(image).Tetrahedra.size(), 26u * 5);
 }
 
-// A fill value where nothing is drawn must not take the range, and with it the precision, of what is.
+// A fill value where nothing is drawn must not take the range, and with it the precision, of what
+// is.
 TEST(CellGeometryValues, HiddenFillValuesDoNotSpoilTheScalars)
 {
   for (const double fill : { 1e20, -1e20 })

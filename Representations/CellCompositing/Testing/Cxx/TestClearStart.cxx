@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** A start of rays near an eye on, in or beside a tetrahedron: clear of all faces, and no farther away than need be. */
+/**
+ * A start of rays near an eye on, in or beside a tetrahedron: clear of all faces, and no farther
+ * away than need be.
+ */
 #include "ClearStart.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Segments of signed length: steps that take each other back, and sums that do not depend on the order.
+// Segments of signed length: steps that take each other back, and sums that do not depend on the
+// order.
 #include "FaceSegment.h"
 
 #include "SegmentReference.h"
@@ -139,7 +140,10 @@ TEST(FaceSegment, VaryingMediumInTheRightOrderOnly)
   EXPECT_GT(wrong, 50);
 }
 
-/** Extinction and colour linear in z: going back and forth is the same integral, whatever the order between first and last. */
+/**
+ * Extinction and colour linear in z: going back and forth is the same integral, whatever the order
+ * between first and last.
+ */
 TEST(FaceSegment, LinearMediumInAnyOrderInside)
 {
   Random random(45);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The faces method without OpenGL: every face once, closed volumes at every pixel, one medium in any order and on any number of
-// threads.
+// The faces method without OpenGL: every face once, closed volumes at every pixel, one medium in
+// any order and on any number of threads.
 #include "CellGeometry.h"
 #include "FaceProjection.h"
 #include "FaceSweep.h"
@@ -27,7 +27,10 @@ namespace
 {
 constexpr int size = 48;
 
-/** A view along -z from a distance, as a camera's matrices have it; `angle` 0: parallel, half a height of 1. */
+/**
+ * A view along -z from a distance, as a camera's matrices have it; `angle` 0: parallel, half a
+ * height of 1.
+ */
 struct TestView
 {
   vtkNew<vtkMatrix4x4> ModelToView, ViewToDevice;
@@ -170,8 +173,8 @@ std::vector<std::size_t> BackToFront(const TestMesh& mesh, const Vector4& eye)
 }
 
 /**
- * Lists the tetrahedra from back to front, and in each first the vertices whose opposite faces are back faces: the faces of the
- * mesh are then listed in an exact order.
+ * Lists the tetrahedra from back to front, and in each first the vertices whose opposite faces are
+ * back faces: the faces of the mesh are then listed in an exact order.
  */
 void SortExactly(TestMesh& mesh, const Vector4& eye)
 {
@@ -229,7 +232,10 @@ Ray RayOfPixel(const TestView& view, int x, int y)
   return { { { o[0], o[1], o[2] } }, { { d[0], d[1], d[2] } } };
 }
 
-/** Blue and alpha of a pixel: tetrahedra, sorted from back to front, one by one, by clipping in barycentric coordinates. */
+/**
+ * Blue and alpha of a pixel: tetrahedra, sorted from back to front, one by one, by clipping in
+ * barycentric coordinates.
+ */
 std::array<double, 2> CompositeCells(const TestMesh& mesh, const Ray& ray)
 {
   const auto& t = mesh.Geometry.Tetrahedra;
@@ -368,7 +374,10 @@ TEST(FaceSweep, OneMediumInAnyOrder)
   }
 }
 
-/** The same as cell by cell, whatever the medium, where the faces come in the right order; by their centroids they do not. */
+/**
+ * The same as cell by cell, whatever the medium, where the faces come in the right order; by their
+ * centroids they do not.
+ */
 TEST(FaceSweep, VaryingMediumInTheRightOrder)
 {
   double worstByCentroids = 0;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The weights of a ray segment against closed forms, series and adaptive quadrature, and the identities they obey.
+// The weights of a ray segment against closed forms, series and adaptive quadrature, and the
+// identities they obey.
 #include "OpticalSegment.h"
 
 #include "SegmentReference.h"
@@ -15,7 +16,8 @@ using namespace nephoscope_test;
 
 namespace
 {
-// In float, up to optical depths of 1000: two million random pairs erred by 5.5e-7 at most, all of it rounding.
+// In float, up to optical depths of 1000: two million random pairs erred by 5.5e-7 at most, all of
+// it rounding.
 constexpr double floatTolerance = 6e-7;
 constexpr double floatRelativeTolerance = 1e-6;
 // In double: truncation at optical depth 18 and the rules themselves.
@@ -198,7 +200,8 @@ TEST(OpticalSegment, BeyondThousand)
   EXPECT_LE(largest, 1e-6);
 }
 
-// Each rule, up to the largest optical depths it is used for, must be good enough by itself: in double nothing else errs.
+// Each rule, up to the largest optical depths it is used for, must be good enough by itself: in
+// double nothing else errs.
 TEST(OpticalSegment, EveryRungHolds)
 {
   Random random(15);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The shaders' integrals against those of C++: OpticalSegment.glsl against OpticalSegment.h, and TransferFunction.glsl against
-// segments cut at every node of random functions and integrated in long double.
+// The shaders' integrals against those of C++: OpticalSegment.glsl against OpticalSegment.h, and
+// TransferFunction.glsl against segments cut at every node of random functions and integrated in
+// long double.
 #include "ShaderRunner.h"
 
 #include "OpticalSegment.h"
@@ -36,7 +37,10 @@ void SetQuadratureNodes(vtkShaderProgram* program)
   }
 }
 
-/** Pairs of optical depths: 0 and 10^-6 to 10^3 in equal steps of the logarithm, and the ends of the rules. */
+/**
+ * Pairs of optical depths: 0 and 10^-6 to 10^3 in equal steps of the logarithm, and the ends of the
+ * rules.
+ */
 std::vector<Float4> OpticalDepthGrid()
 {
   std::vector<float> depths = { 0, 0.05f, 0.25f, 1, 10, 0.0399f, 0.04f };
@@ -75,7 +79,7 @@ double LargestDifference(ShaderRunner& runner, bool average)
   return largest;
 }
 
-// ---- transfer functions -------------------------------------------------------------------------------------------
+// ---- transfer functions -------------------------------------------------------------------------
 
 TransferFunctionTable RandomTable(Random& random, int nodes)
 {
@@ -163,7 +167,10 @@ void AddCuts(const TransferFunctionTable& table, long double front, long double 
   }
 }
 
-/** Colour and alpha of a segment; x of its ends is read by the first function, y by the opacity function. */
+/**
+ * Colour and alpha of a segment; x of its ends is read by the first function, y by the opacity
+ * function.
+ */
 Double4 ReferenceSegment(const Functions& f, const Float4& ends, long double scale)
 {
   std::vector<long double> cuts = { 0, 1 };
@@ -199,7 +206,10 @@ Double4 ReferenceSegment(const Functions& f, const Float4& ends, long double sca
   return result;
 }
 
-/** Ends of segments: wide ones, level ones, and both outside. Narrow ones would make the place of a jump uncertain in float. */
+/**
+ * Ends of segments: wide ones, level ones, and both outside. Narrow ones would make the place of a
+ * jump uncertain in float.
+ */
 std::vector<Float4> RandomSegments(Random& random, int n)
 {
   const auto end = [&]() { return float(random.Uniform(-0.2, 1.2)); };

@@ -115,7 +115,8 @@ TEST_F(OneColorOf, WhatIsTransparentDoesNotCount)
   EXPECT_TRUE(this->Ask()) << "nothing is seen at all";
 }
 
-// VTK's way there and back through other colour spaces is not exact: 2e-5 in Lab, seen where the function ends inside the range.
+// VTK's way there and back through other colour spaces is not exact: 2e-5 in Lab, seen where the
+// function ends inside the range.
 TEST_F(OneColorOf, OneColorInAnyColorSpace)
 {
   for (const auto& rgb : { std::array<double, 3>{ { 1, 1, 1 } }, { { 0.8, 0.5, 0.1 } },

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Long work tells how far it is, grows steadily, stops when told to, and then comes out as if it had never been stopped.
+// Long work tells how far it is, grows steadily, stops when told to, and then comes out as if it
+// had never been stopped.
 #include "ProjectionOrder.h"
 
 #include "OrderMeshes.h"
@@ -97,7 +98,8 @@ TEST(OrderProgress, StopsWhereverItIsTold)
   ASSERT_TRUE(MakeOrder(data, Progress(), quiet));
   EXPECT_EQ(quiet.Tetrahedra, whole.Tetrahedra) << "whether anybody listens must not matter";
   ASSERT_GT(events, 20);
-  // The length of a stretch, and with it the number of events, depends on the clock: only early ones are sure to come.
+  // The length of a stretch, and with it the number of events, depends on the clock: only early
+  // ones are sure to come.
   int stops = 0;
   for (int stop = 1; stop <= events; ++stop)
   {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Least-squares gradients: exact for linear fields, continuous over seams, the same for any number of threads.
+// Least-squares gradients: exact for linear fields, continuous over seams, the same for any number
+// of threads.
 #include "PointGradients.h"
 
 #include "CellGeometry.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Fans of triangles around the thick vertex, against rays clipped by the planes of the faces, and the error laws of the
-// opacities interpolated over them.
+// Fans of triangles around the thick vertex, against rays clipped by the planes of the faces, and
+// the error laws of the opacities interpolated over them.
 #include "ProjectedTriangles.h"
 
 #include "ClippedTetrahedron.h"
@@ -121,7 +121,10 @@ TEST(ProjectedTriangles, ThickVertexAgreesWithClippedRays)
   EXPECT_NEAR(classes[2] / 20000.0, 0.65, 0.15) << "random tetrahedra in general position";
 }
 
-/** The triangles tile the silhouette: their areas add up to that of the two triangles of either side. */
+/**
+ * The triangles tile the silhouette: their areas add up to that of the two triangles of either
+ * side.
+ */
 TEST(ProjectedTriangles, FanTilesTheSilhouette)
 {
   Random random(32);
@@ -190,7 +193,10 @@ TEST(ProjectedTriangles, KnownTetrahedra)
   EXPECT_EQ(Interpolate(p.Back, scalars), 0.0);
 }
 
-/** Continuous across classes: an almost hidden vertex changes the thickness by as little as it is off. */
+/**
+ * Continuous across classes: an almost hidden vertex changes the thickness by as little as it is
+ * off.
+ */
 TEST(ProjectedTriangles, ContinuousAcrossClasses)
 {
   const View view = { { { 0, 0, 1, 0 } } };
@@ -205,7 +211,10 @@ TEST(ProjectedTriangles, ContinuousAcrossClasses)
   }
 }
 
-/** Inside a triangle of the fan, thickness from 1 / z as the header has it, at points of the screen, against clipped rays. */
+/**
+ * Inside a triangle of the fan, thickness from 1 / z as the header has it, at points of the screen,
+ * against clipped rays.
+ */
 TEST(ProjectedTriangles, InverseDepthIsLinearOnTheScreen)
 {
   Random random(33);
@@ -247,7 +256,10 @@ TEST(ProjectedTriangles, InverseDepthIsLinearOnTheScreen)
   EXPECT_GT(worstLinear, 0.1);
 }
 
-/** From the silhouette (0) to the thick vertex (1) of optical depth U, opacity interpolated linearly errs most at lambda*. */
+/**
+ * From the silhouette (0) to the thick vertex (1) of optical depth U, opacity interpolated linearly
+ * errs most at lambda*.
+ */
 TEST(OpacityLaws, LinearOpacity)
 {
   const double table[][2] = { { .1, .00119 }, { .25, .00691 }, { .5, .02451 }, { 1, .07794 },

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Back-to-front orders of projection: every face relation holds unless there are cycles, which are counted; nothing depends on threads or numbering.
+// Back-to-front orders of projection: every face relation holds unless there are cycles, which are
+// counted; nothing depends on threads or numbering.
 #include "ProjectionOrder.h"
 
 #include "FaceRelations.h"
@@ -61,7 +62,10 @@ bool IsPermutation(const std::vector<std::int32_t>& order, std::size_t n)
   return sorted == expected;
 }
 
-/** Sorts exactly and checks everything; returns the share of faces that centroids put in the wrong order. */
+/**
+ * Sorts exactly and checks everything; returns the share of faces that centroids put in the wrong
+ * order.
+ */
 double CheckExactOrder(const CellGeometry& geometry, const std::vector<InteriorFace>& faces,
   const FaceNeighbors& neighbors, const Vector4& eye)
 {
@@ -140,7 +144,9 @@ double CrossedLength(
   return std::max(0.0, far - near);
 }
 
-/** Colour of a ray when each tetrahedron has the random colour of its number in the unpermuted mesh. */
+/**
+ * Colour of a ray when each tetrahedron has the random colour of its number in the unpermuted mesh.
+ */
 double CompositeRay(const CellGeometry& geometry, const std::vector<std::int32_t>& order,
   const std::vector<std::int32_t>& from, const std::vector<double>& colors, const Vector3& origin,
   const Vector3& direction)
@@ -211,7 +217,8 @@ TEST(ProjectionOrder, ThinShell)
   EXPECT_GT(centroids, 0.05);
 }
 
-// Hexahedra whose faces are not planar; structured cells have alternating diagonals, unstructured ones parallel ones.
+// Hexahedra whose faces are not planar; structured cells have alternating diagonals, unstructured
+// ones parallel ones.
 TEST(ProjectionOrder, WarpedLattice)
 {
   Random random(51);

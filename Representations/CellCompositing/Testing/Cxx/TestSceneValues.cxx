@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where only values of arrays change, nothing else is made again, and what there is is the same as if all had been.
+// Where only values of arrays change, nothing else is made again, and what there is is the same as
+// if all had been.
 #include "CellScene.h"
 
 #include "OrderMeshes.h"

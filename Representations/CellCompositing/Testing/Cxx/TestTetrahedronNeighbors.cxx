@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Where rays enter meshes whose points coincide to within rounding, and where they go on when values jump.
+// Where rays enter meshes whose points coincide to within rounding, and where they go on when
+// values jump.
 #include "TetrahedronNeighbors.h"
 
 #include "BoundaryFaces.h"
@@ -25,7 +26,10 @@ namespace
 {
 constexpr int longitudes = 24, latitudes = 12, levels = 3;
 
-/** A globe from pole to pole and around, its first and last longitude at one place but for the rounding of `Real`. */
+/**
+ * A globe from pole to pole and around, its first and last longitude at one place but for the
+ * rounding of `Real`.
+ */
 template <typename Real>
 vtkSmartPointer<vtkUnstructuredGrid> MakeGlobe(bool asTetrahedra)
 {
@@ -97,7 +101,10 @@ double Same(vtkIdType, const double*)
   return 1;
 }
 
-/** Two boxes of 2 x 2 x 2 cells with points of their own, the second one beyond the plane x = 1 by `gap`. */
+/**
+ * Two boxes of 2 x 2 x 2 cells with points of their own, the second one beyond the plane x = 1 by
+ * `gap`.
+ */
 vtkSmartPointer<vtkUnstructuredGrid> TwoBoxes(double gap, double scale = 1)
 {
   BlockMesh mesh;
@@ -174,7 +181,8 @@ TEST(TetrahedronNeighbors, RoundingOfRotatedBlocksIsWelded)
 
 TEST(TetrahedronNeighbors, ThinLayersKeepTheirExtent)
 {
-  // Layers thinner than the rounding of the largest coordinate, in the plane where float resolves them.
+  // Layers thinner than the rounding of the largest coordinate, in the plane where float resolves
+  // them.
   const double thickness = 0.2 * std::numeric_limits<float>::epsilon();
   BlockMesh mesh;
   mesh.AddBox(2, 2, 5, { { -1, -1, 0 } }, { { 1, 1, 5 * thickness } });
@@ -215,7 +223,8 @@ TEST(TetrahedronNeighbors, RaysGoOnWhereValuesJump)
       const BoundaryFace& across = neighbors.FaceAcross(stored, static_cast<std::int32_t>(i));
       const std::size_t number = static_cast<std::size_t>(&across - neighbors.BoundaryFaces.data());
       reached.insert(number);
-      // The face of the other side: the three vertices of this tetrahedron but the k-th, at their places.
+      // The face of the other side: the three vertices of this tetrahedron but the k-th, at their
+      // places.
       Tetrahedron t = geometry.Tetrahedra[i];
       std::transform(
         t.begin(), t.end(), t.begin(), [&](std::int32_t p) { return neighbors.Merged(p); });
@@ -327,7 +336,8 @@ TEST(TetrahedronNeighbors, NeighborsKnowEachOther)
 
 TEST(TetrahedronNeighbors, EqualValuesMeetWhereTheFirstDiffers)
 {
-  // Three tetrahedra around an edge, each with points of its own: the first has other values than the two that share theirs.
+  // Three tetrahedra around an edge, each with points of its own: the first has other values than
+  // the two that share theirs.
   BlockMesh mesh;
   for (int part = 0; part < 3; ++part)
   {

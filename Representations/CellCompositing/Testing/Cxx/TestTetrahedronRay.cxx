@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Rays through tetrahedra in barycentric coordinates, against rays clipped by the planes of the faces.
+// Rays through tetrahedra in barycentric coordinates, against rays clipped by the planes of the
+// faces.
 #include "TetrahedronRay.h"
 
 #include "ClippedTetrahedron.h"
@@ -16,7 +17,10 @@ using namespace nephoscope_test;
 
 namespace
 {
-/** Parameter u at which the ray from a back-face point with coordinates lambda leaves through a front face. */
+/**
+ * Parameter u at which the ray from a back-face point with coordinates lambda leaves through a
+ * front face.
+ */
 inline double FrontParameter(const Vector4& lambda, const Vector4& q, double eyeW)
 {
   double u = std::numeric_limits<double>::infinity();
@@ -153,7 +157,8 @@ TEST(TetrahedronRay, EyeCoordinates)
   }
 }
 
-// The classes of ShirleyTuchman1990: sum mu_i P_i = 0 with the eye at the origin, mu_i = (-1)^i det of the others.
+// The classes of ShirleyTuchman1990: sum mu_i P_i = 0 with the eye at the origin, mu_i = (-1)^i det
+// of the others.
 TEST(TetrahedronRay, ProjectionClasses)
 {
   Random random(23);
@@ -191,7 +196,8 @@ TEST(TetrahedronRay, ProjectionClasses)
     }
     oneInside += positive == 1 || positive == 3;
   }
-  // With Gaussian vertices seen from afar, 34.9 % are of the class with one vertex inside the others' outline.
+  // With Gaussian vertices seen from afar, 34.9 % are of the class with one vertex inside the
+  // others' outline.
   std::cout << "one vertex inside: " << 100.0 * oneInside / samples << " %" << std::endl;
   EXPECT_GT(oneInside, samples / 4);
   EXPECT_LT(oneInside, samples / 2);
@@ -218,7 +224,8 @@ TEST(TetrahedronRay, RegularTetrahedronAlongZ)
 
 TEST(TetrahedronRay, CornerTetrahedronAlongZ)
 {
-  // The eye looks along +z; through the origin the ray runs in the edge 0-3, 0 in front with scalar 0.
+  // The eye looks along +z; through the origin the ray runs in the edge 0-3, 0 in front with scalar
+  // 0.
   const Points p = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
   const Vector4 eye = { { 0, 0, -1, 0 } };
   const Vector4 q = EyeCoordinates(p, eye);
@@ -232,7 +239,8 @@ TEST(TetrahedronRay, CornerTetrahedronAlongZ)
   EXPECT_NEAR(segment.Back, 3, 1e-12);
 }
 
-// Rounding may put a back-face point slightly outside: the segment must then be empty, never negative.
+// Rounding may put a back-face point slightly outside: the segment must then be empty, never
+// negative.
 TEST(TetrahedronRay, PointsOnTheOutlineGiveNoNegativeLength)
 {
   Random random(24);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The chessboard's tetrahedra fill their grid and fit; a walk through them meets what a straight line meets.
+// The chessboard's tetrahedra fill their grid and fit; a walk through them meets what a straight
+// line meets.
 #include "ChessboardGrid.h"
 #include "TestRandom.h"
 #include "TetrahedronRay.h"
@@ -139,7 +140,8 @@ TEST(ChessboardGrid, PiecesAgree)
   EXPECT_EQ(sides[0], sides[1]);
 }
 
-// One tetrahedron: the walk leaves it where its planes say, in double, through barycentric coordinates.
+// One tetrahedron: the walk leaves it where its planes say, in double, through barycentric
+// coordinates.
 TEST(TetrahedronWalk, LeavesARandomTetrahedron)
 {
   Random random(31);
@@ -152,7 +154,8 @@ TEST(TetrahedronWalk, LeavesARandomTetrahedron)
       v = { random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1) };
     }
     const double x = random.Uniform(-0.5, 0.5), y = random.Uniform(-0.5, 0.5);
-    // Where the line (x, y, z) meets the planes of the faces, the eye far below: coordinates are linear in z.
+    // Where the line (x, y, z) meets the planes of the faces, the eye far below: coordinates are
+    // linear in z.
     Vector4 at0, slope;
     for (int k = 0; k < 4; ++k)
     {
@@ -189,7 +192,8 @@ TEST(TetrahedronWalk, LeavesARandomTetrahedron)
   EXPECT_GT(crossed, 1000);
 }
 
-// Through a whole grid, neighbours found by their faces: in depth order, from one side to the other, with the field's values.
+// Through a whole grid, neighbours found by their faces: in depth order, from one side to the
+// other, with the field's values.
 TEST(TetrahedronWalk, CrossesAGrid)
 {
   const ChessboardGrid grid = MakeGrid(6, 6, 8, 1);

@@ -61,7 +61,10 @@ void AddRandomPoints(Random& random, Functions& f, double low, double high)
   }
 }
 
-/** Largest difference at random places, those next to a step of the function (as `skip` says) left out. */
+/**
+ * Largest difference at random places, those next to a step of the function (as `skip` says) left
+ * out.
+ */
 double LargestError(Random& random, const TransferFunctionTable& table, const Functions& f,
   double low, double high, const std::function<bool(double)>& skip = nullptr)
 {
@@ -392,7 +395,8 @@ TEST(TransferFunctionTable, TransparentIntervals)
   EXPECT_TRUE(table.IsTransparent(0.2f, 0.2f));
 }
 
-// The only opacity inside is a ramp that starts at zero and falls back to zero in a jump, or the other way round.
+// The only opacity inside is a ramp that starts at zero and falls back to zero in a jump, or the
+// other way round.
 TEST(TransferFunctionTable, RampsBetweenZerosAreNotTransparent)
 {
   for (const bool rising : { true, false })
@@ -451,7 +455,8 @@ TEST(TransferFunctionTable, SmallOpacitiesOfCurvesAreFollowed)
   }
 }
 
-// Narrower than two neighbouring floats of the normalised scalar; far from zero; the largest doubles.
+// Narrower than two neighbouring floats of the normalised scalar; far from zero; the largest
+// doubles.
 TEST(TransferFunctionTable, NarrowIntervals)
 {
   Functions f;

@@ -3,12 +3,14 @@
 /**
  * A ray that traverses a mesh of tetrahedra from face to face.
  *
- * Every vertex is seen along the ray: (u, v) across it, z along it. The ray pierces the triangle (a, b, c) where the three
- * edge functions e(a,b) = a.u b.v - a.v b.u, e(b,c), e(c,a) are not negative; their ratios are the barycentric coordinates of the
- * point, e(b,c) that of a. Behind the triangle waits one new vertex d, which divides it into (a,b,d), (b,c,d), (c,a,d): the signs
- * of e(a,d), e(b,d), e(c,d) tell through which of them the ray leaves. The edge functions of an edge are computed once and
- * handed on, so that no two tetrahedra disagree about the side on which a ray passes an edge: rays do not slip
- * through cracks, and flat tetrahedra do no harm. One vertex is fetched per tetrahedron.
+ * Every vertex is seen along the ray: (u, v) across it, z along it. The ray pierces the triangle
+ * (a, b, c) where the three edge functions e(a,b) = a.u b.v - a.v b.u, e(b,c), e(c,a) are not
+ * negative; their ratios are the barycentric coordinates of the point, e(b,c) that of a. Behind the
+ * triangle waits one new vertex d, which divides it into (a,b,d), (b,c,d), (c,a,d): the signs of
+ * e(a,d), e(b,d), e(c,d) tell through which of them the ray leaves. The edge functions of an edge
+ * are computed once and handed on, so that no two tetrahedra disagree about the side on which a ray
+ * passes an edge: rays do not slip through cracks, and flat tetrahedra do no harm. One vertex is
+ * fetched per tetrahedron.
  *
  * After Garrity1990 (from cell to cell), with the tests in two dimensions of MariaHornaAveneau2017.
  * shaders/TetrahedronWalk.glsl is the same algorithm.
@@ -41,10 +43,16 @@ struct TetrahedronWalk
 {
   WalkVertex<Real> A, B, C;
   Real AB, BC, CA;
-  /** The ray missed the first face, or ran within a face or along an edge, to within rounding, so that its sides cannot be distinguished. */
+  /**
+   * The ray missed the first face, or ran within a face or along an edge, to within rounding, so
+   * that its sides cannot be distinguished.
+   */
   bool IsLost = false;
 
-  /** Starts at a face; its vertices are exchanged where it is seen from the wrong side. Returns true if so (B and C). */
+  /**
+   * Starts at a face; its vertices are exchanged where it is seen from the wrong side. Returns true
+   * if so (B and C).
+   */
   bool Start(const WalkVertex<Real>& a, const WalkVertex<Real>& b, const WalkVertex<Real>& c)
   {
     const bool turned = EdgeFunction(a, b) + EdgeFunction(b, c) + EdgeFunction(c, a) < 0;
@@ -62,15 +70,18 @@ struct TetrahedronWalk
     return turned;
   }
 
-  /** Goes on to the face through which the ray leaves the tetrahedron with the vertex d; returns which vertex stays behind. */
+  /**
+   * Goes on to the face through which the ray leaves the tetrahedron with the vertex d; returns
+   * which vertex stays behind.
+   */
   int Step(const WalkVertex<Real>& d)
   {
     const Real ad = EdgeFunction(this->A, d);
     const Real bd = EdgeFunction(this->B, d);
     const Real cd = EdgeFunction(this->C, d);
     const Real scale = Real(1e-5) * std::max({ std::abs(ad), std::abs(bd), std::abs(cd) });
-    // How far inside each of the three faces the ray passes. In exact arithmetic one of them is >= 0; where rounding
-    // leaves none, on an edge, the least wrong is right.
+    // How far inside each of the three faces the ray passes. In exact arithmetic one of them is >=
+    // 0; where rounding leaves none, on an edge, the least wrong is right.
     const Real insideABD = std::min(bd, -ad);
     const Real insideADC = std::min(ad, -cd);
     const Real insideDBC = std::min(cd, -bd);
@@ -96,7 +107,10 @@ struct TetrahedronWalk
     return 0;
   }
 
-  /** Where the ray passes the face: z and scalar. False when the face is seen edge-on: there is no such point. */
+  /**
+   * Where the ray passes the face: z and scalar. False when the face is seen edge-on: there is no
+   * such point.
+   */
   bool Pass(Real& z, Real& s) const
   {
     const Real sum = this->AB + this->BC + this->CA;
