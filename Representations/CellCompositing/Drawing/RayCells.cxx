@@ -151,12 +151,13 @@ bool RayCells::DrawsHexahedra(const CellDrawing& drawing) const
       !drawing.Buffers.HasLayers());
 }
 
-bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)
+bool RayCells::ReadySegmentProgram(const CellDrawing& drawing, bool throughTetrahedra)
 {
   const std::string constants =
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() + this->OwnConstants();
-  const std::string text = this->DrawsHexahedra(drawing) ? HexahedraShader(!this->Grid.IsEmpty())
-                                                         : TetrahedraShader(this->GetTopology());
+  const std::string text = this->DrawsHexahedra(drawing) && !throughTetrahedra
+    ? HexahedraShader(!this->Grid.IsEmpty())
+    : TetrahedraShader(this->GetTopology());
   this->SegmentProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
     RayCellsVertex, SpecializedShader(text, constants).c_str(), "");
   return this->SegmentProgram != nullptr;
@@ -183,10 +184,11 @@ std::string RayCells::Draw(const CellDrawing& drawing)
   return this->DrawFrom(fromStart);
 }
 
-std::string RayCells::DrawFrom(const CellDrawing& drawing)
+std::string RayCells::DrawFrom(const CellDrawing& drawing, bool throughTetrahedra)
 {
   this->Entries.Allocate(drawing);
-  if (!this->Entries.ReadyProgram(drawing) || !this->ReadySegmentProgram(drawing))
+  if (!this->Entries.ReadyProgram(drawing) ||
+    !this->ReadySegmentProgram(drawing, throughTetrahedra))
   {
     return "the shaders did not compile";
   }

@@ -89,11 +89,12 @@ public:
 private:
   friend class RayMedia; // walks through the meshes of several in step
 
-  std::string DrawFrom(const CellDrawing& drawing);
+  std::string DrawFrom(const CellDrawing& drawing, bool throughTetrahedra = false);
   std::string OwnConstants() const;
   bool DrawsHexahedra(const CellDrawing& drawing) const;
   TetrahedronTopology GetTopology() const;
-  bool ReadySegmentProgram(const CellDrawing& drawing);
+  /** Also as the walk of a medium, which goes through tetrahedra. */
+  bool ReadySegmentProgram(const CellDrawing& drawing, bool throughTetrahedra = false);
   /** The walk as one of several in a shader (ShaderInstance.h). */
   std::string MediumShader(const CellDrawing& drawing, int instance) const;
   bool StartsAtEye(const EyeTetrahedron& eye) const;

@@ -80,11 +80,19 @@ void RayEntries::Allocate(const CellDrawing& drawing)
   this->Size[1] = height;
 }
 
+void RayEntries::SetOwners(vtkTextureObject* owners, int owner)
+{
+  this->Owners = owners;
+  this->Owner = owner;
+}
+
 bool RayEntries::ReadyProgram(const CellDrawing& drawing)
 {
   this->Program = drawing.Window->GetShaderCache()->ReadyShaderProgram(
     SpecializedShader(EntryFacesVertex, std::string()).c_str(),
-    SpecializedShader(EntryFacesFragment, ShaderConstant("useDepthRanges", drawing.Peel != nullptr))
+    SpecializedShader(EntryFacesFragment,
+      ShaderConstant("useDepthRanges", drawing.Peel != nullptr) +
+        ShaderConstant("hasOwners", this->Owners != nullptr))
       .c_str(),
     "");
   return this->Program != nullptr;
@@ -162,6 +170,12 @@ bool RayEntries::Draw(
     passed->Activate();
   }
   program->SetUniformi("passedEntries", passed->GetTextureUnit());
+  if (this->Owners)
+  {
+    this->Owners->Activate();
+    program->SetUniformi("pixelOwners", this->Owners->GetTextureUnit());
+    program->SetUniformf("owner", static_cast<float>(this->Owner));
+  }
   program->SetUniformi("isSliced", slice ? 1 : 0);
   const float range[2] = { slice ? slice->Low : 0.0f, slice ? slice->High : 0.0f };
   program->SetUniform2f("slice", range);
@@ -191,6 +205,10 @@ bool RayEntries::Draw(
   if (passed != last)
   {
     passed->Deactivate();
+  }
+  if (this->Owners)
+  {
+    this->Owners->Deactivate();
   }
   state->PopFramebufferBindings();
   return any != 0;

@@ -54,6 +54,8 @@ public:
   std::array<float, 2> DepthRange(const SceneView& view) const;
 
   void Allocate(const CellDrawing& drawing);
+  /** Only pixels that have this number in a texture; all without one. Before ReadyProgram. */
+  void SetOwners(vtkTextureObject* owners, int owner);
   bool ReadyProgram(const CellDrawing& drawing);
 
   // Entries have the numbers 0 to 2: this time, last time, and before the slices.
@@ -87,6 +89,8 @@ private:
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   int Size[2] = { 0, 0 };
+  vtkTextureObject* Owners = nullptr; // not owned
+  int Owner = 0;
 
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   vtkShaderProgram* Program = nullptr; // owned by the window's shader cache

@@ -15,6 +15,7 @@
 #include "MixedSegmentShader.h"
 #include "RayCellsVertex.h"
 #include "RayMediaFragment.h"
+#include "RayOwnersFragment.h"
 #include "RayPlanFragment.h"
 #include "RayPlanMediumShader.h"
 #include "VisibleDepthsShader.h"
@@ -27,6 +28,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <deque>
 
 namespace nephoscope
@@ -62,6 +64,20 @@ std::string PlanFragment(int count)
   return WithShaderParts(RayPlanFragment, { { "Media", media }, { "Outputs", outputs } });
 }
 
+std::string OwnersFragment(int count)
+{
+  std::string uniforms = "const int numberOfMedia = " + std::to_string(count) + ";\n";
+  std::string looks;
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string name = InstanceName("firstEntries", i);
+    uniforms += "uniform sampler2D " + name + ";\n";
+    looks += "  look(" + std::to_string(i) + ", texelFetch(" + name + ", pixel, 0).rg);\n";
+  }
+  return WithShaderParts(RayOwnersFragment,
+    { { "Media", uniforms + "void lookAtMedia(ivec2 pixel)\n{\n" + looks + "}\n" } });
+}
+
 std::string MediaVertex(int count)
 {
   std::string text = "//VTK::System::Dec\n";
@@ -85,10 +101,11 @@ std::string MediaCalls(int count)
     "vec3 placeInViewOfFirst(float place) { return placeInView_0(place); }\n";
 }
 
-void AllocateFloats(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height)
+void AllocateFloats(
+  vtkTextureObject* texture, vtkOpenGLRenderWindow* window, int width, int height, int components)
 {
   texture->SetContext(window);
-  texture->Allocate2D(width, height, 4, VTK_FLOAT);
+  texture->Allocate2D(width, height, components, VTK_FLOAT);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
 }
@@ -127,8 +144,10 @@ void RayMedia::Allocate(const CellDrawing& drawing)
   for (vtkTextureObject* texture :
     { this->Plans[0].Get(), this->Plans[1].Get(), this->Faces.Get() })
   {
-    AllocateFloats(texture, drawing.Window, width, height);
+    AllocateFloats(texture, drawing.Window, width, height, 4);
   }
+  this->OwnersFramebuffer->SetContext(drawing.Window);
+  AllocateFloats(this->Owners, drawing.Window, width, height, 1);
   this->Size[0] = width;
   this->Size[1] = height;
 }
@@ -148,6 +167,7 @@ bool RayMedia::ReadyPrograms(const std::vector<Medium>& media)
     }
     instances += medium.Rays->MediumShader(*medium.Drawing, i);
   }
+  this->OwnersProgram = cache->ReadyShaderProgram(planVertex, OwnersFragment(count).c_str(), "");
   const std::string constants = ShaderConstant("useDepthRanges", drawing.Peel != nullptr) +
     ShaderConstant("averageIntegration", false) + drawing.CommonConstants();
   const std::string fragment = WithShaderParts(RayMediaFragment,
@@ -156,7 +176,7 @@ bool RayMedia::ReadyPrograms(const std::vector<Medium>& media)
   this->PlanProgram = cache->ReadyShaderProgram(planVertex, PlanFragment(count).c_str(), "");
   this->Program = cache->ReadyShaderProgram(
     MediaVertex(count).c_str(), SpecializedShader(fragment, constants).c_str(), "");
-  return this->PlanProgram && this->Program;
+  return this->OwnersProgram && this->PlanProgram && this->Program;
 }
 
 std::string RayMedia::Draw(const std::vector<Medium>& media)
@@ -172,7 +192,12 @@ std::string RayMedia::Draw(const std::vector<Medium>& media)
       d.Depth, d.Peel, d.Range });
     moved.push_back({ medium.Rays, &drawings.back() });
   }
-  return this->DrawFrom(moved);
+  const std::string error = this->DrawFrom(moved);
+  for (const Medium& medium : moved)
+  {
+    medium.Rays->Entries.SetOwners(nullptr, 0);
+  }
+  return error;
 }
 
 std::string RayMedia::DrawFrom(const std::vector<Medium>& media)
@@ -183,6 +208,11 @@ std::string RayMedia::DrawFrom(const std::vector<Medium>& media)
     return NotCompiled;
   }
   this->Begin(media);
+  const std::string error = this->DrawLonePixels(media);
+  if (!error.empty())
+  {
+    return error;
+  }
   bool more = true;
   for (int round = 0; more && round < maximumRounds; ++round)
   {
@@ -197,6 +227,62 @@ std::string RayMedia::DrawFrom(const std::vector<Medium>& media)
     }
   }
   return std::string();
+}
+
+// Those whose rays enter a single mesh. The others are left for the rounds. Rays that start at the
+// eye need no entry: then all are left.
+std::string RayMedia::DrawLonePixels(const std::vector<Medium>& media)
+{
+  const auto startsAtEye = [](const Medium& medium) {
+    return medium.Rays->StartsAtEye(*medium.Drawing->Options.Eye);
+  };
+  if (std::any_of(media.begin(), media.end(), startsAtEye))
+  {
+    return std::string();
+  }
+  this->FindOwners(media);
+  std::string error;
+  const int count = static_cast<int>(media.size());
+  for (int i = 0; i < count && error.empty(); ++i)
+  {
+    const Medium& medium = media[static_cast<std::size_t>(i)];
+    medium.Rays->Entries.SetOwners(this->Owners, i);
+    error = medium.Rays->DrawFrom(*medium.Drawing, true);
+  }
+  for (const Medium& medium : media)
+  {
+    medium.Rays->Entries.SetOwners(this->Owners, count);
+    medium.Rays->Entries.ReadyProgram(*medium.Drawing);
+  }
+  this->Begin(media);
+  return error;
+}
+
+void RayMedia::FindOwners(const std::vector<Medium>& media)
+{
+  const CellDrawing& drawing = *media[0].Drawing;
+  vtkOpenGLState* state = drawing.Window->GetState();
+  state->PushFramebufferBindings();
+  this->OwnersFramebuffer->Bind();
+  this->OwnersFramebuffer->AddColorAttachment(0, this->Owners);
+  this->OwnersFramebuffer->ActivateDrawBuffer(0);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_BLEND);
+  vtkShaderProgram* program = this->OwnersProgram;
+  drawing.Window->GetShaderCache()->ReadyShaderProgram(program);
+  for (std::size_t i = 0; i < media.size(); ++i)
+  {
+    Activate(program, InstanceName("firstEntries", static_cast<int>(i)),
+      media[i].Rays->Entries.GetTexture(this->Last));
+  }
+  this->VertexArray->Bind();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  this->VertexArray->Release();
+  for (const Medium& medium : media)
+  {
+    medium.Rays->Entries.GetTexture(this->Last)->Deactivate();
+  }
+  state->PopFramebufferBindings();
 }
 
 // The first entries; and from an eye where parts of one mesh overlap, all of these parts but one.
@@ -338,13 +424,14 @@ void RayMedia::DrawRound(const std::vector<Medium>& media)
 void RayMedia::ReleaseGraphicsResources(vtkWindow* window)
 {
   for (vtkTextureObject* texture :
-    { this->Plans[0].Get(), this->Plans[1].Get(), this->Faces.Get() })
+    { this->Plans[0].Get(), this->Plans[1].Get(), this->Faces.Get(), this->Owners.Get() })
   {
     texture->ReleaseGraphicsResources(window);
   }
   this->PlanFramebuffer->ReleaseGraphicsResources(window);
+  this->OwnersFramebuffer->ReleaseGraphicsResources(window);
   this->VertexArray->ReleaseGraphicsResources();
-  this->PlanProgram = this->Program = nullptr;
+  this->OwnersProgram = this->PlanProgram = this->Program = nullptr;
   this->Size[0] = this->Size[1] = 0;
 }
 

@@ -15,6 +15,8 @@ uniform sampler2D passedEntries; // last ones before the slices
 uniform vec2 depthRange;         // distances from the eye's plane that are depths 0 and 1
 uniform sampler2D depthRanges;   // where VTK peels surfaces: near and far depth of two ranges, empty where near >= far
 uniform int rangeNumber;         // the one to draw
+uniform sampler2D pixelOwners;   // RayOwners.frag.glsl
+uniform float owner;             // whose pixels are drawn
 
 in float depthVSOutput;
 flat in float faceVSOutput;
@@ -48,6 +50,10 @@ bool isHidden(ivec2 pixel)
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
+  if (hasOwners && texelFetch(pixelOwners, pixel, 0).r != owner)
+  {
+    discard;
+  }
   if (isPassed(texelFetch(lastEntries, pixel, 0).rg) || isHidden(pixel))
   {
     discard;
