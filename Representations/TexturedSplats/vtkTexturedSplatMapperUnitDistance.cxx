@@ -42,11 +42,12 @@ void vtkTexturedSplatMapper::SuitVectorsToMedium(bool opacity, bool share)
   nephoscope::SplatSampling sampling = this->GetSampling(onCells);
   sampling.RadiusFactor = 1.0;
   const nephoscope::MediumBounds bounds = nephoscope::BoundsOfSamples(input, sampling);
-  const nephoscope::MediumMeasures measures =
-    nephoscope::MeasureSplats(input, sampling, vectors, {}, bounds);
   const nephoscope::SpeedCounts speeds = nephoscope::CountSpeeds(input, sampling, vectors);
-  const nephoscope::SuitedVectors suited = nephoscope::SuitVectorsTo(measures, bounds,
-    this->MaximumSpeed > 0 ? this->MaximumSpeed : speeds.GetFull(), speeds.GetNumber());
+  const double full = this->MaximumSpeed > 0 ? this->MaximumSpeed : speeds.GetFull();
+  const nephoscope::MediumMeasures measures =
+    nephoscope::MeasureSplats(input, sampling, vectors, {}, bounds, full);
+  const nephoscope::SuitedVectors suited =
+    nephoscope::SuitVectorsTo(measures, bounds, full, speeds.GetNumber());
   if (share)
   {
     this->SetVectorFraction(suited.Share);

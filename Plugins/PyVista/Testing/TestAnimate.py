@@ -63,6 +63,19 @@ class Vectors(Animation):
             series.show(1)
             self.assertLess(self.picture().mean(), weak.mean() - 1)
 
+    def test_one_wrong_vector(self):
+        """Streaks keep their number and opacity if a few vectors are much too long."""
+        mesh = whirl(1, 9)
+        mappers = []
+        for length in (0, 1e5):
+            if length:
+                mesh["U"][0] = (length, 0, 0)
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                mappers.append(nephoscope.add_splats(self.new_plotter(), mesh, "T", vectors="U").mapper)
+        self.assertAlmostEqual(mappers[1].GetVectorFraction(), mappers[0].GetVectorFraction(), delta=0.02)
+        self.assertAlmostEqual(mappers[1].GetVectorOpacity(), mappers[0].GetVectorOpacity(), delta=0.05)
+
     def test_one_unit(self):
         """The unit is that of the step with the fastest vectors, whichever is shown."""
         for strengths, unit in (((-1, 10), 1), ((1, -100), 2)):
@@ -361,6 +374,45 @@ class Several(Animation):
         getattr(self.plotter, "widgets", self.plotter).clear_slider_widgets()
         self.animate(self.plotter, 2)
         self.assertEqual(self.labels(self.plotter.renderer), ["0"])
+
+
+class Derived(Animation):
+    """What `draw` derives from the mesh of one step stays as it is, and a warning says so."""
+
+    def warnings_of(self, draw):
+        meshes = [whirl(strength) for strength in (1, 2)]
+        for mesh in meshes:
+            mesh["Extinction"] = np.full(mesh.n_points, 0.1)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            nephoscope.animate(self.new_plotter(), meshes, draw, show_time=False)
+        return [str(one.message) for one in caught if "stays the same in all steps" in str(one.message)]
+
+    def test_derived(self):
+        for draw, words in ((lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, sun=(1, 0, 1)), "draw them with sun=True"),
+                            (lambda plotter, mesh: nephoscope.add_splats(plotter, mesh, sun=(1, 0, 1)), "draw them with sun=True"),
+                            (lambda plotter, mesh: plotter.add_mesh(mesh.slice("z"), scalars="T"), "Derive it from each mesh first")):
+            told = self.warnings_of(draw)
+            self.assertEqual(len(told), 1)
+            self.assertIn(words, told[0])
+
+    def test_mesh_itself_and_other_data(self):
+        for draw in (lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, "T"), lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, color="red"),
+                     lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, color="red", opacity="extinction"),
+                     lambda plotter, mesh: nephoscope.add_splats(plotter, mesh, "T", vectors="U"), lambda plotter, mesh: plotter.add_mesh(mesh, scalars="T"),
+                     lambda plotter, mesh: (nephoscope.add_cells(plotter, mesh, "T"), plotter.add_mesh(pyvista.Sphere()))):
+            self.assertEqual(self.warnings_of(draw), [])
+
+    def test_wrong_arguments(self):
+        draw = lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, "T")  # noqa: E731
+        with self.assertRaisesRegex(ValueError, "framerate is 0"):
+            nephoscope.animate(self.plotter, [whirl(1)], draw, framerate=0)
+        with self.assertRaisesRegex(ValueError, "time of mesh 1 is nan"):
+            nephoscope.animate(self.plotter, [whirl(1), whirl(2)], draw, times=[0.0, np.nan])
+        closed = self.new_plotter()
+        closed.close()
+        with self.assertRaisesRegex(ValueError, "plotter has been closed"):
+            nephoscope.animate(closed, [whirl(1)], draw)
 
 
 if __name__ == "__main__":

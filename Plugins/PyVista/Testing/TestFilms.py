@@ -143,6 +143,9 @@ nephoscope.animate(plotter, [block(k) for k in range(COUNT)], "T", filename=sys.
         names = [f"{i:05d}.png" for i in range(COUNT)]
         self.assertEqual(sorted(os.listdir(folder)), [*names, "mine.txt"])
         self.assertEqual(self.animate(filename=folder), COUNT)
+        (folder / f"{COUNT:05d}.png").write_bytes(b"of a longer film")
+        with self.assertWarnsRegex(UserWarning, f"1 pictures that do not belong to this film of {COUNT}, from {COUNT:05d}.png on"):
+            self.animate(filename=folder)
 
     def test_a_film_that_cannot_be_made(self):
         """All frames stay, and none is drawn again but the one that is compared."""

@@ -111,6 +111,19 @@ class Clicks(unittest.TestCase):
         self.click(30, 30)
         self.assertRegex(self.plotter.actors["picked"].GetText(2), r"^3 at \(.*\), cell \d+$")
 
+    def test_ends_and_replaces(self):
+        first, second = [], []
+        nephoscope.disable_picking(self.plotter)  # not enabled
+        nephoscope.enable_picking(self.plotter, first.append)
+        nephoscope.enable_picking(self.plotter, second.append)
+        self.actors[1].SetPickable(False)
+        self.click(30, 30)
+        self.assertEqual([len(first), len(second)], [0, 1])
+        self.assertIs(second[0].actor, self.actors[0])
+        nephoscope.disable_picking(self.plotter)
+        self.click(30, 30)
+        self.assertEqual(len(second), 1)
+
     def test_wrong_arguments(self):
         with self.assertRaisesRegex(TypeError, "plotter is a int"):
             nephoscope.enable_picking(3)

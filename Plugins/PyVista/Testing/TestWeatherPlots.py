@@ -138,6 +138,14 @@ class Plots(unittest.TestCase):
                     labels = plotter.renderers[1].actors["labels_x_1-labels"].GetMapper().GetInputAlgorithm().GetTextProperty()
                     self.assertEqual(labels.GetColor(), (0, 0, 0) if bright else (1, 1, 1))
 
+    def test_no_window_if_pyvista_draws_off_screen(self):
+        """Without a file for the picture, as with PYVISTA_OFF_SCREEN=true in the environment."""
+        level = isothermal(np.arange(0, 360, 30.0), np.arange(-90, 91, 30.0)).isel(plev=1)
+        with mock.patch.object(pyvista, "OFF_SCREEN", True):
+            plotter = level.nephoscope.plot("ta", window_size=(60, 60))
+        self.addCleanup(plotter.close)
+        self.assertTrue(plotter.off_screen)
+
     def test_a_wide_map_has_a_low_window(self):
         level = isothermal(np.arange(0, 360, 10.0), np.arange(-90, 91, 10.0)).isel(plev=1)
         plotter = level.nephoscope.plot("ta", projection="map", screenshot=str(Path(self.enterContext(tempfile.TemporaryDirectory()), "a.png")))

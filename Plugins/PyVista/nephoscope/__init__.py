@@ -33,7 +33,7 @@ if _TYPE_CHECKING:
     from .light import sunlight
     from .optics import cloud_optics
     from .override import override_vtk
-    from .picking import enable_picking
+    from .picking import disable_picking, enable_picking
     from .polyhedra import divide_polyhedra
     from .reader import cf_times, read_cf
     from .samples import sample_data
@@ -62,6 +62,7 @@ PYVISTA_FUNCTIONS = {
     "add_terrain": "terrain",
     "add_cells": "cells",
     "add_haze": "haze",
+    "disable_picking": "picking",
     "enable_picking": "picking",
     "add_splats": "splats",
     "split_cells": "splitting",

@@ -5,11 +5,14 @@ from __future__ import annotations
 
 import math
 from typing import Any, Callable, NamedTuple
+from weakref import WeakKeyDictionary
 
 import pyvista
 
 from . import vtkCellCompositingMapper
 from ._medium import require_plotter
+
+_observers: WeakKeyDictionary = WeakKeyDictionary()  # of a plotter: the numbers of its observers, by side
 
 
 class Picked(NamedTuple):
@@ -26,7 +29,8 @@ def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] |
     """Pick with a click what is visible in the volumes of `add_cells`: the medium, or a contour surface.
 
     The position is where the accumulated opacity along the ray reaches that of ``mapper.SetPickOpacity``, 0.1 by default. If several volumes are
-    visible, the nearest position counts. Behind an opaque surface nothing is picked. Dragging still turns the view.
+    visible, the nearest position counts. Behind an opaque surface nothing is picked, nor are volumes with ``pickable=False``. Dragging still turns the view.
+    A second call for the same button replaces the first; `disable_picking` ends both.
 
     Parameters
     ----------
@@ -65,12 +69,37 @@ def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] |
         renderer = plotter.iren.interactor.FindPokedRenderer(*pixel)
         eye = renderer.GetActiveCamera().GetPosition()
         volumes = list(renderer.GetVolumes())  # Pick makes the collection anew
-        found = [_picked(volume, renderer, pixel) for volume in volumes if volume.GetVisibility()]
+        found = [_picked(volume, renderer, pixel) for volume in volumes if volume.GetVisibility() and volume.GetPickable()]
         seen = sorted((picked for picked in found if picked), key=lambda picked: math.dist(picked.position, eye))
         if seen:
             (callback or show)(seen[0])
 
-    plotter.iren.add_observer(events[side], pick)
+    observers = _observers.setdefault(plotter, {})
+    if side in observers:
+        plotter.iren.remove_observer(observers.pop(side))
+    observers[side] = plotter.iren.add_observer(events[side], pick)
+
+
+def disable_picking(plotter: pyvista.Plotter) -> None:
+    """End what `enable_picking` began, for both buttons. ``plotter.disable_picking()`` ends PyVista's own picking only.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        The plotter. Nothing happens if its picking is not enabled.
+
+    Raises
+    ------
+    TypeError
+        If `plotter` is not a plotter.
+
+    Examples
+    --------
+    >>> nephoscope.disable_picking(plotter)  # doctest: +SKIP
+    """
+    require_plotter(plotter)
+    for observer in _observers.pop(plotter, {}).values():
+        plotter.iren.remove_observer(observer)
 
 
 def _picked(volume: Any, renderer: Any, pixel: tuple[int, int]) -> Picked | None:

@@ -87,13 +87,13 @@ void vtkTexturedSplatsRepresentation::StoreSuited(
   vtkDataSetAttributes* attributes =
     this->Piece->GetAttributes(sampling.OnCells ? vtkDataObject::CELL : vtkDataObject::POINT);
   vtkDataArray* vectors = attributes->GetArray(name.c_str());
-  const auto all = nephoscope::ReduceOverRanks(
-    nephoscope::MeasureSplats(this->Piece, sampling, vectors, {}, common));
   const nephoscope::SpeedCounts speeds =
     nephoscope::SpeedsOfRanks(nephoscope::CountSpeeds(this->Piece, sampling, vectors));
   this->WarnOfLongVectors(this->GreatestSpeed > 0.0 ? "" : speeds.DescribeLong(name));
-  const auto suited = nephoscope::SuitVectorsTo(all, common,
-    this->GreatestSpeed > 0.0 ? this->GreatestSpeed : speeds.GetFull(), speeds.GetNumber());
+  const double full = this->GreatestSpeed > 0.0 ? this->GreatestSpeed : speeds.GetFull();
+  const auto all = nephoscope::ReduceOverRanks(
+    nephoscope::MeasureSplats(this->Piece, sampling, vectors, {}, common, full));
+  const auto suited = nephoscope::SuitVectorsTo(all, common, full, speeds.GetNumber());
   nephoscope::StoreNumbers(this->Piece, suitedName, { suited.Opacity, suited.Share });
 }
 

@@ -163,7 +163,7 @@ MediumBounds BoundsOfSamples(
 }
 
 MediumMeasures MeasureSplats(vtkDataSet* data, const SplatSampling& sampling, vtkDataArray* scalars,
-  const std::function<double(double)>& opacity, const MediumBounds& common)
+  const std::function<double(double)>& opacity, const MediumBounds& common, double clamp)
 {
   MediumMeasures measures;
   if (!data || data->GetNumberOfPoints() == 0)
@@ -188,7 +188,8 @@ MediumMeasures MeasureSplats(vtkDataSet* data, const SplatSampling& sampling, vt
         return;
       }
       ++sampled;
-      const double scalar = scalars ? ScalarOf(scalars, id) : 0.0;
+      const double value = scalars ? ScalarOf(scalars, id) : 0.0;
+      const double scalar = clamp > 0.0 && value > clamp ? clamp : value;
       const double a = Norm(jacobian[0]), b = Norm(jacobian[1]), c = Norm(jacobian[2]);
       measures.Silhouettes += 0.5 * (a * b + b * c + c * a);
       measures.AddPart(common,

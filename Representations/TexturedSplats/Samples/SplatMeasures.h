@@ -21,11 +21,12 @@ VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumBounds BoundsOfSamples(
 /**
  * Measures a piece, which may be null, whose samples are points or cells, as far as it lies in the
  * bounds of all pieces. `scalars` may be null, vectors count by their magnitude; `opacity` may be
- * empty. Integrals come from about 1e5 samples.
+ * empty. Scalars above `clamp`, if that is above 0, count as `clamp`. Integrals come from about 1e5
+ * samples.
  */
 VTKNEPHOSCOPEREPRESENTATIONSTEXTUREDSPLATS_EXPORT MediumMeasures MeasureSplats(vtkDataSet* data,
   const SplatSampling& sampling, vtkDataArray* scalars,
-  const std::function<double(double)>& opacity, const MediumBounds& common);
+  const std::function<double(double)>& opacity, const MediumBounds& common, double clamp = 0.0);
 
 /** The opacity of vectors, and the fraction of the samples whose vectors are drawn. */
 struct SuitedVectors

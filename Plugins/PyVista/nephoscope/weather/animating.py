@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import warnings
 from inspect import signature
 from pathlib import Path
 from typing import Any, Callable
@@ -11,10 +12,11 @@ from typing import Any, Callable
 import numpy as np
 import pyvista
 
-from .._checks import listed
+from .._checks import listed, require_number
 from .._film_camera import is_framed, look_at_all_steps
 from .._film_motion import motion
 from .._options import refuse_unknown
+from .._pipeline import level_of_caller
 from .accessor import GLOBE, LOOK, WeatherAccessor
 from .dataset_series import DatasetSeries
 from .filled import filled
@@ -30,6 +32,7 @@ from .series import Series
 
 LABEL = "nephoscope_time"  # name of the actor
 UPPER_LEFT = 2  # vtkCornerAnnotation
+MOST_FRAMES = 100.0  # in a second: a GIF counts hundredths
 ROWS = (0.9, 0.74, 0.58, 0.42)  # heights of sliders in a renderer
 
 
@@ -52,7 +55,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     draw : str or callable
         A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, drawn by `add_cells`; or a function ``draw(plotter, mesh)`` that is called once and adds what you
         want to draw. The values of the mesh change with the time; of PyVista meshes, points and cells too. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
-        you give limits with ``clim``. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`, whose streaks move from step to step, even on meshes that
+        you give limits with ``clim``. Data that the function derives from the mesh, such as light, slices or smoke, do not change, and a warning says so: derive them from each mesh first. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`, whose streaks move from step to step, even on meshes that
         do not change: the fastest by at most their distance in a second of the film, or by ``true_speed``. A ``phase`` or ``film_time`` that you set is kept.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg, on the path or of the package imageio-ffmpeg), or a folder for PNG pictures. Default: a slider of time.
@@ -63,7 +66,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         Of PyVista meshes: their times as numbers, dates or words, which are written into the picture. Default: their numbers.
         Numbers and dates, also as the keys of a dict, are sorted, and the meshes with them.
     framerate : float, default: 8.0
-        Time steps per second of the film.
+        Time steps per second of the film, greater than 0 and at most 100.
     heights : bool, default: False
         Move the points with the heights of each step. By default they keep their positions of the first step, and only values are uploaded.
     show_time : bool, default: True
@@ -98,6 +101,9 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         For each time step that cannot be read, with its file: the picture of the step before is shown instead; before the first step that can be read, the picture of that step.
     """
     from .picture import darken, is_untouched
+    require_number(framerate, "framerate", above=0, most=MOST_FRAMES)
+    if getattr(plotter, "render_window", None) is None:
+        raise ValueError("plotter has been closed; make a new one.")
     draw = draw if draw is None or callable(draw) else word(draw)
     asked = re.sub(" at 0x[0-9a-f]+", "", repr([None if callable(draw) else draw, heights, show_time, sorted(options.items())]))  # which is the same in another process
     whole = isinstance(draw, str) and is_untouched(plotter)
@@ -107,6 +113,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     before = set(plotter.renderer.actors)
     if callable(draw):
         _drawn(plotter, series, draw)
+        _warn_of_derived(plotter, series, before)
     elif whole:
         darken(plotter)
         first = _first_picture(series, draw, look)  # which has the limits of all steps, but for logarithmic colours
@@ -231,6 +238,27 @@ def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None
         array = getattr(mapper, "array_name", None)
         if isinstance(mapper, pyvista.DataSetMapper) and array in series.mesh.array_names and np.allclose(mapper.scalar_range, series.mesh.get_data_range(array)):
             mapper.scalar_range = series.range(array)
+
+
+def _warn_of_derived(plotter: pyvista.BasePlotter, series: Series, before: set[str]) -> None:
+    """What `draw` has derived from the mesh of one step stays as it is in all steps: light, slices, smoke."""
+    for name in set(plotter.renderer.actors) - before:
+        data = getattr(getattr(plotter.renderer.actors[name], "mapper", None), "dataset", None)
+        if isinstance(data, pyvista.DataSet) and _is_derived(data, series.mesh):
+            lit = "Sunlight" in data.point_data
+            remedy = ("Light each mesh first, mesh.nephoscope.sunlight(...), animate these meshes, and draw them with sun=True." if lit else
+                      "Derive it from each mesh first, and animate the results.")
+            warnings.warn(f"draw shows {'the light of' if lit else 'data that it derives from'} one step, {name!r}, which stays the same in all steps. {remedy}",
+                          UserWarning, stacklevel=level_of_caller())
+            return
+
+
+def _is_derived(data: pyvista.DataSet, mesh: pyvista.DataSet) -> bool:
+    """Whether data that have arrays of a mesh do not change with it."""
+    if "Sunlight" in data.point_data and "Sunlight" not in mesh.point_data:
+        return True
+    pairs = [(here[name], there[name]) for here, there in ((data.point_data, mesh.point_data), (data.cell_data, mesh.cell_data)) for name in here.keys() if name in there]
+    return bool(pairs) and not any(np.may_share_memory(*pair) for pair in pairs)
 
 
 def _suit_to_all_steps(plotter: pyvista.BasePlotter, series: Series, before: set[str], framerate: float) -> None:

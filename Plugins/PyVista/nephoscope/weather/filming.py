@@ -7,12 +7,14 @@ import os
 import shutil
 import subprocess
 import sys
+import warnings
 from pathlib import Path
 from typing import Any, Callable
 
 import numpy as np
 
 from .._film_frames import Frames, failure
+from .._pipeline import level_of_caller
 from .series import Series
 
 SAME = 2  # of 255: by more than that, what a plotter draws differs from a frame that was kept
@@ -37,6 +39,7 @@ def write_film(plotter: Any, series: Series, turn_to: Callable[[float], None], p
     frames.make(draw, lambda step: progress and _tell(step, series))
     if kind == "":
         frames.record.unlink()
+        _warn_of_others(frames)
         return
     part = frames.folder / ("film" + kind)
     try:
@@ -47,6 +50,14 @@ def write_film(plotter: Any, series: Series, turn_to: Callable[[float], None], p
     finally:
         part.unlink(missing_ok=True)
     frames.clear()
+
+
+def _warn_of_others(frames: Frames) -> None:
+    """Pictures of a longer film, which a program that makes a film of the folder would append."""
+    others = sorted({*frames.folder.glob("[0-9]" * 5 + ".png")} - {Path(file) for file in frames.files})
+    if others:
+        warnings.warn(f"The folder {frames.folder} also has {len(others)} pictures that do not belong to this film of {len(frames.files)}, from {others[0].name} on. Remove them, or use a new folder.",
+                      UserWarning, stacklevel=level_of_caller())
 
 
 def _take_up(frames: Frames, draw: Callable[[int, str], None], progress: bool) -> None:

@@ -50,6 +50,9 @@ class MeshSeries(Series):
         """Sorts by time, if the times are numbers or dates."""
         if self._labels is None or not all(isinstance(time, (int, float, np.number, np.datetime64, date)) for time in self._labels):
             return
+        undefined = [i for i, time in enumerate(self._labels) if time != time]  # NaN and NaT
+        if undefined:
+            raise ValueError(f"The time of mesh {undefined[0]} is {self._labels[undefined[0]]}; it must be a number or a date.")
         order = sorted(range(len(self._labels)), key=self._labels.__getitem__)
         self._labels = [self._labels[i] for i in order]
         if not callable(self._source):

@@ -98,7 +98,7 @@ class Frame:
         """The user's plotter, or an empty one; see `picture_theme`."""
         if self.plotter is not None:
             return self.plotter
-        return PicturePlotter(off_screen=self.screenshot is not None, theme=picture_theme(self.background), window_size=self.window_size or (800, 800))
+        return PicturePlotter(off_screen=True if self.screenshot is not None else None, theme=picture_theme(self.background), window_size=self.window_size or (800, 800))
 
     def finish(self, plotter: pyvista.Plotter) -> pyvista.Plotter:
         """Shows the picture, unless the plotter is the user's, and writes it into the file."""
