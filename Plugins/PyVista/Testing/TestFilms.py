@@ -144,7 +144,7 @@ nephoscope.animate(plotter, [block(k) for k in range(COUNT)], "T", filename=sys.
         self.assertEqual(sorted(os.listdir(folder)), [*names, "mine.txt"])
         self.assertEqual(self.animate(filename=folder), COUNT)
         (folder / f"{COUNT:05d}.png").write_bytes(b"of a longer film")
-        with self.assertWarnsRegex(UserWarning, f"1 pictures that do not belong to this film of {COUNT}, from {COUNT:05d}.png on"):
+        with self.assertWarnsRegex(UserWarning, f"pictures that do not belong to this film of {COUNT} frames, such as {COUNT:05d}.png"):
             self.animate(filename=folder)
 
     def test_a_film_that_cannot_be_made(self):

@@ -56,7 +56,7 @@ def _warn_of_others(frames: Frames) -> None:
     """Pictures of a longer film, which a program that makes a film of the folder would append."""
     others = sorted({*frames.folder.glob("[0-9]" * 5 + ".png")} - {Path(file) for file in frames.files})
     if others:
-        warnings.warn(f"The folder {frames.folder} also has {len(others)} pictures that do not belong to this film of {len(frames.files)}, from {others[0].name} on. Remove them, or use a new folder.",
+        warnings.warn(f"The folder {frames.folder} also has pictures that do not belong to this film of {len(frames.files)} frames, such as {others[0].name}. Remove them, or use a new folder.",
                       UserWarning, stacklevel=level_of_caller())
 
 
