@@ -34,7 +34,7 @@ void ForVectors(const SplatShapes& shapes, vtkDataArray* vectors, Work work)
 }
 
 // As SplatVectors has it.
-float SpeedOf(const Vector3& v)
+float RoundedSpeedOf(const Vector3& v)
 {
   return SpeedOf({ { float(v[0]), float(v[1]), float(v[2]) } });
 }
@@ -66,7 +66,7 @@ SpeedCounts CountSpeeds(vtkDataSet* data, const SplatSampling& sampling, vtkData
     simple.SizeArrayName = sampling.SizeArrayName;
     simple.ShapeArrayName = sampling.ShapeArrayName;
     ForVectors(SplatShapes(data, simple), vectors,
-      [&](vtkIdType, const Vector3& v) { speeds.Add(SpeedOf(v)); });
+      [&](vtkIdType, const Vector3& v) { speeds.Add(RoundedSpeedOf(v)); });
   }
   return speeds;
 }
@@ -75,7 +75,7 @@ VectorSums SumVectors(const SplatShapes& shapes, vtkDataArray* vectors)
 {
   VectorSums sums;
   ForVectors(shapes, vectors, [&](vtkIdType id, const Vector3& v) {
-    sums.Speeds.Add(SpeedOf(v));
+    sums.Speeds.Add(RoundedSpeedOf(v));
     sums.Cells += ReachAlong(shapes.Jacobian(id), v);
     ++sums.Count;
   });
