@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Not a test by itself: draws the pictures that CloudTextureThicknessRanks.py compares.
 
-Usage: CloudTextureThicknessRun.py PREFIX [PORT NAMES]; with a port it draws on a pvserver there, and all there, however small the data are.
+Usage: CloudTextureThicknessRun.py PREFIX [PORT NAMES [MEGABYTES]]; with a port it draws on a pvserver there, and all there, however small the data are;
+data of fewer MEGABYTES are drawn here.
 """
 import sys
 
@@ -114,7 +115,7 @@ def draw_turned():
 
 if len(sys.argv) > 2:
     pvs.Connect("localhost", int(sys.argv[2]))
-    pvs.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0
+    pvs.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = float(sys.argv[4]) if len(sys.argv) > 4 else 0
 load_plugin()
 pvs._DisableFirstRenderCameraReset()  # whichever picture is the first
 draw("ball", ball(radius=3))

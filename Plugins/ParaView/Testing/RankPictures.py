@@ -32,14 +32,14 @@ def pictures(prefix, output, names):
     return {name: np.load(f"{prefix}-{name}.npy") for name in names}
 
 
-def run_with_server(script, names, ranks=1):
-    """Draws only the pictures of these names, on a pvserver with this number of ranks. The server waits on a free port that it announces; the client draws there."""
+def run_with_server(script, names, ranks=1, arguments=()):
+    """Draws only the pictures of these names, on a pvserver with this number of ranks. The server waits on a free port that it announces; the client draws there, or, if an argument says so, itself."""
     log = os.path.join(OUTPUT, f"{script}-server.log")
     with open(log, "w") as file:
         server = subprocess.Popen(launcher(ranks) + [program("PVSERVER"), "--server-port=0"], env=ENVIRONMENT, stdout=file, stderr=subprocess.STDOUT)
     try:
         prefix = prefix_of(script, "server")
-        command = [program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, announced_port(log), ",".join(names)]
+        command = [program("PVPYTHON"), "--dr", os.path.join(HERE, script), prefix, announced_port(log), ",".join(names), *arguments]
         return pictures(prefix, output_of(command, limit=300), names)
     finally:
         server.terminate()  # mpiexec takes its ranks with it

@@ -5,6 +5,7 @@
 #include "ChessboardDivision.h"
 #include "DataSets.h"
 #include "RankExchange.h"
+#include "RankPieces.h"
 #include "Ranks.h"
 #include "Vector3.h"
 
@@ -12,7 +13,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -35,14 +35,20 @@ namespace
 {
 using DataSets = std::vector<vtkSmartPointer<vtkDataSet>>;
 
-// By rank. Collective.
+// By rank. A client has been given those of all ranks of its server: each is a piece. Collective.
 std::vector<DataSets> OfEachRank(const DataSets& own)
 {
   constexpr int tag = 26140;
   auto* controller = OtherRanks();
-  std::vector<DataSets> ofRanks(
-    static_cast<std::size_t>(controller ? controller->GetNumberOfProcesses() : 1));
-  ofRanks[static_cast<std::size_t>(controller ? controller->GetLocalProcessId() : 0)] = own;
+  if (!controller)
+  {
+    std::vector<DataSets> pieces;
+    std::transform(own.begin(), own.end(), std::back_inserter(pieces),
+      [](const auto& piece) { return DataSets{ piece }; });
+    return pieces;
+  }
+  std::vector<DataSets> ofRanks(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
+  ofRanks[static_cast<std::size_t>(controller->GetLocalProcessId())] = own;
   const auto send = [&](int rank) {
     const auto count = static_cast<int>(own.size());
     controller->Send(&count, 1, rank, tag);
@@ -63,10 +69,7 @@ std::vector<DataSets> OfEachRank(const DataSets& own)
       }
     }
   };
-  if (controller)
-  {
-    MeetOtherRanks(controller, send, receive);
-  }
+  MeetOtherRanks(controller, send, receive);
   return ofRanks;
 }
 
@@ -175,39 +178,6 @@ void CloseGaps(const std::vector<DataSets>& ofRanks)
   }
 }
 
-// Data travel as VTK's files, in which the numbers of a lattice are rounded to 6 digits and not
-// turned: they travel beside it.
-constexpr const char* latticeName = "NephoscopeLattice";
-
-void StoreLattice(vtkDataSet* set)
-{
-  if (auto* image = vtkImageData::SafeDownCast(set))
-  {
-    vtkNew<vtkDoubleArray> numbers;
-    numbers->SetName(latticeName);
-    for (const double* some : { image->GetOrigin(), image->GetSpacing() })
-    {
-      std::for_each(some, some + 3, [&](double x) { numbers->InsertNextValue(x); });
-    }
-    const double* turn = image->GetDirectionMatrix()->GetData();
-    std::for_each(turn, turn + 9, [&](double x) { numbers->InsertNextValue(x); });
-    image->GetFieldData()->AddArray(numbers);
-  }
-}
-
-void RestoreLattice(vtkDataSet* set)
-{
-  auto* image = vtkImageData::SafeDownCast(set);
-  auto* numbers =
-    image ? vtkDoubleArray::SafeDownCast(image->GetFieldData()->GetArray(latticeName)) : nullptr;
-  if (numbers && numbers->GetNumberOfValues() == 15)
-  {
-    image->SetOrigin(numbers->GetPointer(0));
-    image->SetSpacing(numbers->GetPointer(3));
-    image->SetDirectionMatrix(numbers->GetPointer(6));
-  }
-}
-
 vtkSmartPointer<vtkMultiBlockDataSet> AsBlocks(const DataSets& sets)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -243,7 +213,7 @@ vtkSmartPointer<vtkDataSet> OnlyWith(vtkDataSet* set, const std::string& name)
     CopyArray(arrays, copy->GetAttributes(kind), vtkDataSetAttributes::GhostArrayName());
     CopyArray(arrays, copy->GetAttributes(kind), divisionName);
   }
-  StoreLattice(copy);
+  copy->GetFieldData()->AddArray(set->GetFieldData()->GetArray(pieceName));
   return copy;
 }
 
@@ -362,7 +332,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> DensitiesOfRanks(vtkDataObject* own, const
     }
   }
   DataSets all = Together(OfEachRank(mine));
-  std::for_each(all.begin(), all.end(), RestoreLattice);
+  std::for_each(all.begin(), all.end(), RestorePiece);
   auto* first = all.empty() ? nullptr : vtkImageData::SafeDownCast(all.front());
   const bool areOneImage = std::all_of(all.begin(), all.end(),
     [&](vtkDataSet* piece) { return ArePieces(first, vtkImageData::SafeDownCast(piece), name); });

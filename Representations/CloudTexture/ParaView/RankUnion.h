@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The surfaces and the density volume of all ranks, on each of them: what lies along a ray, whoever
- * has it.
+ * has it. A client that draws joins the pieces that it has been given (RankPieces.h).
  */
 #ifndef nephoscope_RankUnion_h
 #define nephoscope_RankUnion_h

@@ -6,7 +6,9 @@
 #include "EmptyInput.h"
 #include "ForwardedMessages.h"
 #include "NeighborCells.h"
+#include "RankPieces.h"
 #include "RankRegions.h"
+#include "Ranks.h"
 #include "SurfaceLength.h"
 #include "vtkCloudTextureMapper.h"
 
@@ -137,6 +139,22 @@ void StoreLength(vtkPolyData* surface, const nephoscope::SurfaceLength& length)
   length.Tell(own);
   surface->SetFieldData(own);
 }
+
+// A client gets them as pieces of the ranks; those in partitions stay apart on their way.
+// Collective.
+void PlaceSurfaces(vtkDataObject* surfaces)
+{
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(surfaces);
+  if (NumberOfRanks() > 1 && blocks)
+  {
+    nephoscope::PlacePieces(blocks, blocks);
+  }
+  else if (NumberOfRanks() > 1)
+  {
+    const std::vector<vtkPolyData*> pieces = SurfacesOf(surfaces);
+    std::for_each(pieces.begin(), pieces.end(), nephoscope::MarkPiece);
+  }
+}
 }
 
 vtkCloudTextureRepresentation::vtkCloudTextureRepresentation()
@@ -210,20 +228,25 @@ void vtkCloudTextureRepresentation::RequestNeighborCells(vtkInformationVector* i
 
 // What is delivered is the same object while the data are: what the mapper makes of it takes time.
 // It is of one type with all data, and where there are none: a client that has none yet must know
-// what it gets.
+// what it gets. Collective.
 void vtkCloudTextureRepresentation::ReadVolume(vtkInformationVector* inputs)
 {
   vtkDataObject* given =
     inputs->GetNumberOfInformationObjects() > 0 ? vtkDataObject::GetData(inputs, 0) : nullptr;
   const vtkMTimeType time = given ? given->GetMTime() : 0;
-  if (given == this->ReadFrom && time == this->ReadTime)
+  const bool isOther = given != this->ReadFrom || time != this->ReadTime;
+  if (nephoscope::MaximumOverRanks(isOther ? 1 : 0) == 0)
   {
     return;
   }
   this->ReadFrom = given;
   this->ReadTime = time;
   this->Volume = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  if (given)
+  if (NumberOfRanks() > 1)
+  {
+    nephoscope::PlacePieces(given, this->Volume);
+  }
+  else if (given)
   {
     auto copy = vtk::TakeSmartPointer(given->NewInstance());
     copy->ShallowCopy(given);
@@ -248,6 +271,7 @@ int vtkCloudTextureRepresentation::RequestData(
   {
     StoreLength(surface, length);
   }
+  PlaceSurfaces(surfaces);
   return made;
 }
 
@@ -343,18 +367,20 @@ void vtkCloudTextureRepresentation::WarnOfVolume(vtkDataObject* input)
 }
 
 // Where ranks draw in regions of their own, each gets the surface and the density of all: a cloud
-// may begin in the region of one rank and end in that of another. Collective.
+// may begin in the region of one rank and end in that of another. A client that draws the data of
+// several ranks has them in pieces. Collective.
 void vtkCloudTextureRepresentation::TakeDelivered(
   vtkDataObject* surface, vtkCompositeDataSet* volume)
 {
   const std::vector<vtkBoundingBox>* boxes =
     NumberOfRanks() > 1 ? nephoscope::BoxesOfRanks(this->GetView()) : nullptr;
-  if (boxes)
+  const bool hasPieces = boxes || (NumberOfRanks() == 1 && nephoscope::HasMarkedPieces(surface));
+  if (hasPieces)
   {
     surface = this->Surfaces.Of(surface, "",
       [](vtkDataObject* own, const std::string&) { return nephoscope::SurfacesOfRanks(own); });
   }
-  if (boxes && this->CloudMapper->GetUseThickness())
+  if (hasPieces && this->CloudMapper->GetUseThickness())
   {
     vtkMultiBlockDataSet* whole = this->Densities.Of(
       volume, this->CloudMapper->GetDensityArrayName(), nephoscope::DensitiesOfRanks);

@@ -9,7 +9,8 @@
  * transformations are its own. Blocks are drawn as one surface. On several ranks unstructured data
  * get the cells of other ranks that they lack, so that no wall is drawn between ranks. Each rank
  * gets the surface of all, and with Use Thickness their density volume, and draws the fragments
- * that lie in its region: the picture is that of one process. The length of a unit of texture,
+ * that lie in its region: the picture is that of one process. So is that of a client that draws the
+ * data of several ranks itself. The length of a unit of texture,
  * where coordinates are positions, is that of the whole surface on all ranks.
  * Levels of detail are not used: they have no texture coordinates.
  */
@@ -125,7 +126,7 @@ private:
     CompletedInput; // with cells of other ranks; null where the input does
   nephoscope::JoinedSurfaces Blocks;
   nephoscope::RankUnion Surfaces, Densities;    // of all ranks
-  vtkSmartPointer<vtkMultiBlockDataSet> Volume; // its one block, or none
+  vtkSmartPointer<vtkMultiBlockDataSet> Volume; // one block, pieces of ranks, or none
   vtkDataObject* ReadFrom = nullptr;            // only compared
   vtkMTimeType ReadTime = 0;
   bool HasToldOfVolume = false; // and the input has not changed to surfaces since
