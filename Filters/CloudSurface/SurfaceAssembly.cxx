@@ -70,6 +70,7 @@ void SurfaceAssembly::Build(vtkDataArray* scalars, const std::vector<double>& va
   });
   output->SetPoints(points);
   this->CarryArrays(scalars, output);
+  this->CarryAtPoles(output);
   this->CarryFromNearerPoint(output);
   this->AddContourIndex(values, indices, output);
 }
@@ -257,6 +258,37 @@ void SurfaceAssembly::CarryArrays(vtkDataArray* scalars, vtkPolyData* output) co
     {
       output->GetPointData()->SetActiveAttribute(
         output->GetPointData()->GetNumberOfArrays() - 1, attribute);
+    }
+  }
+}
+
+// Arrays that jump along the row of a pole, such as longitudes, have the value of its first column,
+// whichever columns a piece has.
+void SurfaceAssembly::CarryAtPoles(vtkPolyData* output) const
+{
+  const GridTopology& t = this->Plan.Topology();
+  for (std::size_t i = 0; this->Join && !t.Poles.empty() && i < this->Sources.size(); ++i)
+  {
+    GridIndex one;
+    GridIndex two;
+    double share;
+    this->NearestEdge(this->Sources[i], one, two, share);
+    const PoleRow* pole = t.PoleAt(one);
+    if (!pole || pole != t.PoleAt(two))
+    {
+      continue;
+    }
+    one[pole->Along] = two[pole->Along] = 0;
+    for (std::size_t a = 0; a < this->Contour.Arrays.size(); ++a)
+    {
+      vtkDataArray* from = this->Grid->GetPointData()->GetArray(this->Contour.Arrays[a].Source);
+      vtkDataArray* to = output->GetPointData()->GetArray(static_cast<int>(a) + 1);
+      for (int c = 0; c < from->GetNumberOfComponents(); ++c)
+      {
+        to->SetComponent(static_cast<vtkIdType>(i), c,
+          (1 - share) * from->GetComponent(static_cast<vtkIdType>(t.Id(one)), c) +
+            share * from->GetComponent(static_cast<vtkIdType>(t.Id(two)), c));
+      }
     }
   }
 }

@@ -38,6 +38,7 @@ private:
   bool IsVisible(const vtkIdType* triangle) const;
   bool IsCellVisible(const GridIndex& cell) const;
   void CarryArrays(vtkDataArray* scalars, vtkPolyData* output) const;
+  void CarryAtPoles(vtkPolyData* output) const;
   void CarryFromNearerPoint(vtkPolyData* output) const;
   void AddContourIndex(
     const std::vector<double>& values, const std::vector<int>& indices, vtkPolyData* output) const;

@@ -56,6 +56,23 @@ class Pieces(unittest.TestCase):
                     parts += corners(made.GetOutput())
                 self.assertEqual(sorted(parts), whole)
 
+    def test_the_pole_has_the_values_of_the_first_column(self):
+        """An array that jumps there, as a longitude does, whichever columns a piece has."""
+        data = blob_globe()
+        columns, rows, levels = (e + 1 for e in data.GetExtent()[1::2])
+        data.GetPointData().AddArray(cg.array("column", 1000.0 + np.tile(np.arange(columns), rows * levels)))
+        for count in (1, 2, 5):
+            poles = 0
+            for piece in range(count):
+                made = nephoscope.vtkCloudSurface()
+                made.SetInputData(data)
+                made.SetValue(0, 0.5)
+                made.UpdatePiece(piece, count, 0)
+                on_axis = np.linalg.norm(cg.points(made.GetOutput())[:, :2], axis=1) < 1e-9
+                self.assertEqual(set(cg.values(made.GetOutput(), "column")[on_axis]) | {1000.0}, {1000.0})
+                poles += on_axis.sum()
+            self.assertGreater(poles, 1)
+
     def test_more_pieces_than_cells(self):
         data = cg.image(np.random.default_rng(1).random((3, 2, 2)))
         total = 0

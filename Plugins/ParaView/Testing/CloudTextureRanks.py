@@ -9,7 +9,8 @@ SCENES = ("globe", "clouds", "thick", "plain")
 one = run_ranks(SCRIPT, SCENES, 1)
 three = run_ranks(SCRIPT, SCENES, 3)
 compare(one, three, "1 and 3 ranks", ("globe", "plain"), largest=2, mean=0.01)
-# At the pole, in 53 and 58 of 90,000 pixels, texture coordinates are longitudes that ranks wrap around in other places: there differences reach 44.
-compare(one, three, "1 and 3 ranks", ("clouds", "thick"), largest=3, mean=0.03, dots=0.001)
+compare(one, three, "1 and 3 ranks", ("thick",), largest=3, mean=0.03)
+# One pixel of 90,000, on the border between ranks, differs by 13.
+compare(one, three, "1 and 3 ranks", ("clouds",), largest=3, mean=0.03, dots=0.0001)
 compare(one, run_with_server(SCRIPT, SCENES), "local and client-server", SCENES, largest=1, mean=0.01)
 print("NEPHOSCOPE-PASSED")
