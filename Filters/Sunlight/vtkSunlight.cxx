@@ -295,9 +295,10 @@ std::vector<double> vtkSunlight::State() const
   return { timeOf(1), timeOf(2), this->SunDirection[0], this->SunDirection[1],
     this->SunDirection[2], this->Up[0], this->Up[1], this->Up[2], this->Longitude, this->Latitude,
     this->ExtinctionScale, this->Albedo, this->Asymmetry, this->GroundAlbedo, this->SkyLight,
-    double(this->PeriodicSides), double(this->MultipleScattering), double(this->ZenithAngles),
-    double(this->AzimuthAngles), number(this->DateTime), number(this->ExtinctionArrayName),
-    number(this->AlbedoArrayName), number(this->AsymmetryArrayName) };
+    double(this->PeriodicSides), double(this->OpenSides), double(this->MultipleScattering),
+    double(this->ZenithAngles), double(this->AzimuthAngles), number(this->DateTime),
+    number(this->ExtinctionArrayName), number(this->AlbedoArrayName),
+    number(this->AsymmetryArrayName) };
 }
 
 bool vtkSunlight::Compute(vtkDataSet* data, Work& work)
@@ -456,6 +457,7 @@ void vtkSunlight::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "ExtinctionArrayName: " << this->ExtinctionArrayName << "\n";
   os << indent << "MultipleScattering: " << this->MultipleScattering << "\n"
      << indent << "PeriodicSides: " << this->PeriodicSides << "\n"
+     << indent << "OpenSides: " << this->OpenSides << "\n"
      << indent << "GroundAlbedo: " << this->GroundAlbedo << "\n";
   os << indent << "FollowCamera: " << this->FollowCamera << "\n"
      << indent << "PhaseFunction: " << this->PhaseFunction << "\n";

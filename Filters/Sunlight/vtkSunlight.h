@@ -182,12 +182,24 @@ public:
    * models with periodic boundaries. The copies cast shadows into the grid and scatter light into
    * it. If the extinction is equal on opposite sides, these sides count as the same points.
    * Otherwise the next copy begins one grid spacing beyond the last points. Off by default: no
-   * shadows come from beyond the sides, which are mirrors for diffuse light. Not for globes and
-   * unstructured data.
+   * shadows come from beyond the sides, which are mirrors for diffuse light or open (OpenSides).
+   * Not for globes and unstructured data.
    */
   vtkSetMacro(PeriodicSides, bool);
   vtkGetMacro(PeriodicSides, bool);
   vtkBooleanMacro(PeriodicSides, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Diffuse light leaves through the sides of the data, and only the light of sun and sky enters
+   * there: for clouds that are alone in a box that fits tightly. Off by default: the sides are
+   * mirrors for diffuse light, as if the clouds continued beyond them. Grids that close around,
+   * such as globes of all longitudes, have no open sides. PeriodicSides takes precedence.
+   */
+  vtkSetMacro(OpenSides, bool);
+  vtkGetMacro(OpenSides, bool);
+  vtkBooleanMacro(OpenSides, bool);
   ///@}
 
   ///@{
@@ -349,6 +361,7 @@ private:
   double GroundAlbedo = 0.1;
   double SkyLight = 0.08;
   bool PeriodicSides = false;
+  bool OpenSides = false;
   bool MultipleScattering = true;
   int ZenithAngles = 0;
   int AzimuthAngles = 0;

@@ -130,12 +130,12 @@ void vtkSunlight::WarnOfDepth(vtkDataSet* data, const Work& work)
 void vtkSunlight::WarnOfSides(const nephoscope::LightGrid& grid)
 {
   constexpr double much = 0.5;
-  const double fraction = FractionThroughSides(grid);
+  const double fraction = grid.Open ? 0 : FractionThroughSides(grid);
   if (fraction > much)
   {
     vtkWarningMacro(
       << "Clouds reach the sides of the data, and " << WithOneDigit(fraction)
       << " times as much sunlight enters there as from above. The sides are mirrors for diffuse light, which cannot leave, so the light is too bright. "
-         "Turn PeriodicSides on for clouds that repeat, or surround the clouds by clear air.");
+         "Turn OpenSides on for clouds that end there, or PeriodicSides for clouds that repeat.");
   }
 }

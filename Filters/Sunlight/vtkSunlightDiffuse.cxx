@@ -60,6 +60,7 @@ bool vtkSunlight::Diffuse(vtkDataSet* data, Work& work)
   }
   grid.Closed[0] = grid.Closed[0] || work.Repeats;
   grid.Closed[1] = work.Repeats;
+  grid.Open = this->OpenSides && !grid.Closed[0] && !grid.Closed[1];
   grid.Extinction = axes.Order.Of(work.Scaled);
   grid.Albedo = axes.Order.Of(work.Albedo);
   grid.Asymmetry = axes.Order.Of(work.Asymmetry);
@@ -133,7 +134,8 @@ bool vtkSunlight::Sample(vtkDataSet* data, Work& work)
   const nephoscope::SampleFrame frame(work.Planet, work.Places);
   vtkSmartPointer<vtkImageData> image = frame.MakeImage(work.Places, 100000, false);
   vtkSmartPointer<vtkDataSet> grid = frame.Sampled(copy, image);
-  if (!nephoscope::SampleFrame::FillSides(grid, image)) // sides of the image are mirrors
+  // Sides of the image are mirrors, unless they are open.
+  if (!this->OpenSides && !nephoscope::SampleFrame::FillSides(grid, image))
   {
     image = frame.MakeImage(work.Places, 100000, true);
     grid = frame.Sampled(copy, image);

@@ -22,6 +22,12 @@ bool vtkSunlight::LightRepeated(vtkDataSet* data, Work& work)
          "Turn PeriodicSides off, or make an image by Resample To Image.");
     return this->Light(data, work);
   }
+  if (this->OpenSides)
+  {
+    vtkWarningMacro(
+      << "PeriodicSides and OpenSides are both on: the clouds repeat, and no side is open. "
+         "Turn one of them off.");
+  }
   Work whole;
   whole.Planet = work.Planet;
   whole.Sun = work.Sun;

@@ -144,8 +144,14 @@ void DirectionSweep::Emit(Cone& cone, const DiffuseField& known, int level) cons
   }
 }
 
-// The light of one direction in a plane. Outside an open grid the medium continues as at the
-// boundary. Light across a seam is that of the last run.
+// The light that enters through an open side: that of the sky, from above.
+float DirectionSweep::Outside(float z, std::size_t column) const
+{
+  return z < 0 ? this->Grid.Sky[column] / pi : 0.0f;
+}
+
+// The light of one direction in a plane. The medium continues beyond a side as at the boundary,
+// unless the side is open. Light across a seam is that of the last run.
 void DirectionSweep::SweepPlane(Cone& cone, std::size_t d, int level, RowSweep& sweep)
 {
   const LightGrid& g = this->Grid;
@@ -157,7 +163,14 @@ void DirectionSweep::SweepPlane(Cone& cone, std::size_t d, int level, RowSweep& 
     sweep.Slopes[axis] = std::abs(axis == 0 ? to.X : axis == 1 ? to.Y : to.Z);
   }
   float* radiance = cone.Radiance[0][d].data();
-  if (!g.Closed[1])
+  if (g.IsOpenSide(start, 1))
+  {
+    for (std::size_t q = std::size_t(start) * width, n = 0; n < std::size_t(width); ++n, ++q)
+    {
+      radiance[q] = this->Outside(to.Z, q);
+    }
+  }
+  else if (!g.Closed[1])
   {
     sweep.Rates[1] = this->NoRates.data();
     this->SweepRow(cone, d, level, start, 0, sweep);
@@ -206,7 +219,11 @@ void DirectionSweep::SweepRow(
   sweep.Rates[2] = &this->Rates[2][p + std::min<std::ptrdiff_t>(z, 0)];
   const int across = alongX > 0 ? width - 2 : 1; // the point upstream, across the seam
   float* seam = g.Closed[0] ? &this->Seams[0][cone.First + d][p / width] : nullptr;
-  if (seam)
+  if (g.IsOpenSide(start, 0))
+  {
+    radiance[start] = this->Outside(to.Z, row + start);
+  }
+  else if (seam)
   {
     radiance[across] = *seam;
     sweep.Rates[0] = &this->Rates[0][p + (alongX > 0 ? across : 0)] - start;

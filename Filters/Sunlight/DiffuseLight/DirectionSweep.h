@@ -42,6 +42,7 @@ private:
   std::vector<float> GroundLight(const DiffuseField& known) const;
   void RunCone(Cone& cone, const DiffuseField& known, const std::vector<float>& ground);
   void Emit(Cone& cone, const DiffuseField& known, int level) const;
+  float Outside(float z, std::size_t column) const;
   void SweepPlane(Cone& cone, std::size_t direction, int level, class RowSweep& sweep);
   void SweepRow(Cone& cone, std::size_t direction, int level, int row, int beside, RowSweep& sweep);
 

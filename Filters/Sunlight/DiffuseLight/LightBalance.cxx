@@ -9,30 +9,6 @@
 
 namespace nephoscope
 {
-namespace
-{
-constexpr double leastDepth =
-  0.1; // of layers beside one another: clear air does not join points too firmly
-
-// Short characteristics are good for layers of a depth well below 1.
-float TrustAt(double depth)
-{
-  return static_cast<float>(1 / (1 + 4 * depth * depth));
-}
-
-LayerMedium Between(const LightGrid& grid, std::size_t p, std::size_t q, double length)
-{
-  const double a = grid.Extinction[p], b = grid.Extinction[q];
-  const double sa = a * grid.Albedo[p], sb = b * grid.Albedo[q];
-  LayerMedium medium;
-  medium.Depth = 0.5 * (a + b) * length;
-  medium.Albedo = a + b > 0 ? (sa + sb) / (a + b) : 0.5 * (grid.Albedo[p] + grid.Albedo[q]);
-  medium.Asymmetry =
-    sa + sb > 0 ? (sa * grid.Asymmetry[p] + sb * grid.Asymmetry[q]) / (sa + sb) : 0;
-  return medium;
-}
-}
-
 void DiffuseField::Clear(std::size_t points)
 {
   this->Fluence.assign(points, 0.0f);
@@ -48,136 +24,12 @@ LightBalance::LightBalance(
   , Rows(parallel)
   , Solver(grid, parallel)
   , Deposit(deposit)
+  , Height(HeightOf(grid))
   , Fluence(grid.Points(), 0.0)
 {
   this->MakeEdges();
   this->MakeBoundaries();
   this->MakeMatrix();
-}
-
-template <typename Body>
-void LightBalance::ForPoints(Body body) const
-{
-  this->Rows(this->Grid.Width(1), [&](int j) {
-    for (int k = 0; k < this->Grid.Size[2]; ++k)
-    {
-      const std::size_t row = j * this->Grid.Stride(1) + k * this->Grid.Stride(2);
-      for (int i = 0; i < this->Grid.Width(0); ++i)
-      {
-        body(row + i, Index{ i, j, k });
-      }
-    }
-  });
-}
-
-// The width of the box around a point.
-double LightBalance::WidthAt(std::size_t p, const Index& at, int axis) const
-{
-  const int before = this->Grid.Before(at[axis], axis), after = this->Grid.After(at[axis], axis);
-  return 0.5 * (after >= 0 ? this->Grid.Step[p][axis] : 0.0f) +
-    0.5 * (before >= 0 ? this->Grid.Step[this->Neighbour(p, at, axis, before)][axis] : 0.0f);
-}
-
-double LightBalance::AreaAt(std::size_t p, const Index& at, int axis) const
-{
-  return this->WidthAt(p, at, (axis + 1) % 3) * this->WidthAt(p, at, (axis + 2) % 3);
-}
-
-// The depth of the layer from a point to the next one above.
-double LightBalance::LayerDepth(std::size_t p) const
-{
-  const std::size_t columns = this->Grid.Columns();
-  const std::size_t below = p + columns < this->Grid.Points() ? p : p - columns;
-  return Between(this->Grid, below, below + columns, this->Grid.Step[below][2]).Depth;
-}
-
-LightBalance::Edge LightBalance::MakeEdge(std::size_t p, std::size_t q, int axis) const
-{
-  Edge edge;
-  LayerMedium medium = Between(this->Grid, p, q, this->Grid.Step[p][axis]);
-  edge.Trust = TrustAt(std::min(medium.Depth, 0.5 * (this->LayerDepth(p) + this->LayerDepth(q))));
-  edge.Forward = static_cast<float>(1 - medium.Transport());
-  if (axis == 2)
-  {
-    const LayerConductance conductance(medium);
-    edge.Here = static_cast<float>(conductance.Here);
-    edge.There = static_cast<float>(conductance.There);
-  }
-  else
-  {
-    edge.Here = edge.There =
-      static_cast<float>(1 / (3 * medium.Transport() * std::max(medium.Depth, leastDepth)));
-  }
-  return edge;
-}
-
-void LightBalance::AddBeam(
-  Edge& edge, std::size_t p, std::size_t q, int axis, const LayerMedium& medium) const
-{
-  const double slant = 0.5 * (this->Grid.SunAt(p)[axis] + this->Grid.SunAt(q)[axis]);
-  const double forward = slant * medium.Albedo * medium.Asymmetry / medium.Transport();
-  if (axis == 2)
-  {
-    const double lost = this->Deposit.InLayer[p], scattered = medium.Albedo * lost;
-    const double directed = medium.Depth > 0 ? forward * lost / medium.Depth : 0;
-    const LayerShares shares(this->Grid.Depth[p] - this->Grid.Depth[q], medium.Decay());
-    edge.First = static_cast<float>(scattered * shares.First - directed * shares.FirstForward);
-    edge.Second = static_cast<float>(scattered * shares.Second + directed * shares.SecondForward);
-    edge.Lost = static_cast<float>(lost - edge.First - edge.Second);
-    return;
-  }
-  const double a = this->Grid.Depth[p], b = this->Grid.Depth[q], mean = MeanBeam(a, b);
-  edge.Second = static_cast<float>(
-    edge.Area * (forward * mean + medium.Albedo * slant * (mean - std::exp(-0.5 * (a + b)))));
-  edge.First = -edge.Second;
-}
-
-void LightBalance::MakeEdges()
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    this->Edges[axis].resize(this->Grid.Points());
-    this->ForPoints([&](std::size_t p, Index at) {
-      const int next = this->Grid.After(at[axis], axis);
-      if (next >= 0)
-      {
-        const std::size_t q = this->Neighbour(p, at, axis, next);
-        Edge edge = this->MakeEdge(p, q, axis);
-        edge.Area = static_cast<float>(this->AreaAt(p, at, axis));
-        at[axis] = next;
-        edge.Area = 0.5f * (edge.Area + static_cast<float>(this->AreaAt(q, at, axis)));
-        edge.Here *= edge.Area;
-        edge.There *= edge.Area;
-        this->AddBeam(edge, p, q, axis, Between(this->Grid, p, q, this->Grid.Step[p][axis]));
-        this->Edges[axis][p] = edge;
-      }
-    });
-  }
-}
-
-// Marshak's conditions: the incoming light is that of the sky, or that reflected by the ground.
-void LightBalance::MakeBoundaries()
-{
-  const std::size_t columns = this->Grid.Columns(), top = this->Grid.Points() - columns;
-  this->Top.resize(columns);
-  this->Ground.resize(columns);
-  const double white = this->Grid.GroundAlbedo;
-  this->ForPoints([&](std::size_t p, const Index& at) {
-    if (at[2] == 0)
-    {
-      Boundary& ground = this->Ground[p];
-      const double area = this->AreaAt(p, at, 2);
-      const double beam = std::max(-this->Grid.SunAt(p)[2], 0.0f) * this->Grid.BeamAt(p);
-      ground = { float(area * (1 - white) / (2 + 2 * white)),
-        float(area * 2 * white * beam / (1 + white)), float(area), this->Edges[2][p].Trust, 0 };
-    }
-    if (p >= top)
-    {
-      const double area = this->AreaAt(p, at, 2);
-      this->Top[p - top] = { float(0.5 * area), float(2 * area * this->Grid.Sky[p - top]),
-        float(area), this->Edges[2][p - columns].Trust, 0 };
-    }
-  });
 }
 
 void LightBalance::MakeMatrix()
@@ -192,6 +44,7 @@ void LightBalance::MakeMatrix()
         (before >= 0 ? this->Edges[axis][this->Neighbour(p, at, axis, before)].Here : 0.0f);
       this->Solver.Next[axis][p] = this->Edges[axis][p].There;
     }
+    ForSides(*this, at, [&](int, int, const Boundary& side) { sum += side.Rate; });
     sum += p < columns ? this->Ground[p].Rate : 0.0f;
     sum += p >= top ? this->Top[p - top].Rate : 0.0f;
   });
@@ -222,6 +75,10 @@ void LightBalance::Compare(const DiffuseField& ordinates, const DiffuseField& kn
         different(edge, settled, 0.5 * (edge.Out(a, b) + edge.In(a, b)));
       }
     }
+    ForSides(*this, at, [&](int axis, int outwards, Boundary& side) {
+      side.Extra = 0;
+      different(side, outwards * ordinates.Flux[p][axis], side.Out(ordinates.Fluence[p]));
+    });
     if (p < columns)
     {
       this->Ground[p].Extra = 0;
@@ -248,6 +105,7 @@ std::vector<double> LightBalance::RightSide() const
       sum -= this->Edges[axis][p].Out(0, 0);
       sum += before >= 0 ? this->Edges[axis][this->Neighbour(p, at, axis, before)].In(0, 0) : 0.0;
     }
+    ForSides(*this, at, [&](int, int, const Boundary& side) { sum -= side.Out(0); });
     sum -= p < columns ? this->Ground[p].Out(0) : 0.0;
     sum -= p >= top ? this->Top[p - top].Out(0) : 0.0;
     right[p] = sum;
@@ -310,6 +168,10 @@ void LightBalance::WritePoint(
     field.SecondMoment[p] = share * ordinates->SecondMoment[p];
     field.Tilt[p] = { { share * ordinates->Tilt[p][0], share * ordinates->Tilt[p][1] } };
   }
+  ForSides(*this, at, [&](int axis, int outwards, const Boundary& side) {
+    field.Flux[p][axis] =
+      static_cast<float>(side.Area > 0 ? outwards * side.Out(here) / side.Area : 0);
+  });
   const std::size_t columns = this->Grid.Columns(), top = this->Grid.Points() - columns;
   const double white = this->Grid.GroundAlbedo;
   if (p >= top)
@@ -419,7 +281,7 @@ std::vector<float> LightBalance::Absorption() const
     const std::size_t above = this->Grid.Columns();
     const auto half = [&](std::size_t q) {
       const Edge& e = this->Edges[2][q];
-      const LayerMedium medium = Between(this->Grid, q, q + above, this->Grid.Step[q][2]);
+      const LayerMedium medium = this->Between(q, q + above, this->Grid.Step[q][2]);
       return e.Area * LayerAbsorption(medium) * this->Fluence[p] + 0.5 * e.Lost;
     };
     const double volume = this->AreaAt(p, at, 2) * this->WidthAt(p, at, 2);

@@ -76,7 +76,8 @@ private:
       return this->There * here - this->Here * there + this->Second + this->Extra;
     }
   };
-  struct Boundary // at top and ground; power that leaves is Rate times fluence, less Source
+  struct Boundary // at top, ground and open sides; power that leaves is Rate times fluence, less
+                  // Source
   {
     float Rate = 0, Source = 0, Area = 0, Trust = 0, Extra = 0;
     double Out(double fluence) const { return this->Rate * fluence - this->Source + this->Extra; }
@@ -89,14 +90,33 @@ private:
   {
     return p + next * this->Grid.Stride(axis) - at[axis] * this->Grid.Stride(axis);
   }
+  static double HeightOf(const LightGrid& grid);
   double WidthAt(std::size_t p, const Index& at, int axis) const;
   double AreaAt(std::size_t p, const Index& at, int axis) const;
   double LayerDepth(std::size_t p) const;
-  Edge MakeEdge(std::size_t p, std::size_t q, int axis) const;
+  /** Calls body(axis, 1 or -1 outwards along it, boundary) where a point is on an open side. */
+  template <typename Balance, typename Body>
+  static void ForSides(Balance& balance, const Index& at, Body body)
+  {
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      if (balance.Grid.IsOpenSide(at[axis], axis))
+      {
+        const std::size_t row = std::size_t(at[2]) * balance.Grid.Size[1 - axis] + at[1 - axis];
+        const bool isLast = at[axis] > 0;
+        body(axis, isLast ? 1 : -1, balance.Sides[axis][2 * row + (isLast ? 1 : 0)]);
+      }
+    }
+  }
+  struct LayerMedium Between(std::size_t p, std::size_t q, double length) const;
+  double DistanceToSide(std::size_t p, const Index& at, int axis) const;
+  float TrustAt(std::size_t p, const Index& at, int axis, double depth) const;
+  Edge MakeEdge(std::size_t p, std::size_t q, int axis, const Index& at) const;
   void AddBeam(
     Edge& edge, std::size_t p, std::size_t q, int axis, const struct LayerMedium& medium) const;
   void MakeEdges();
   void MakeBoundaries();
+  void MakeSides();
   void MakeMatrix();
   void Compare(const DiffuseField& ordinates, const DiffuseField& known);
   std::vector<double> RightSide() const;
@@ -111,9 +131,25 @@ private:
   ColumnSolver Solver;
   std::vector<Edge> Edges[3];
   const BeamDeposit& Deposit;
-  std::vector<Boundary> Top, Ground;
+  const double Height;
+  std::vector<Boundary> Top, Ground, Sides[2]; // sides: of each row, its first and its last point
   std::vector<double> Fluence;
 };
+
+template <typename Body>
+inline void LightBalance::ForPoints(Body body) const
+{
+  this->Rows(this->Grid.Width(1), [&](int j) {
+    for (int k = 0; k < this->Grid.Size[2]; ++k)
+    {
+      const std::size_t row = j * this->Grid.Stride(1) + k * this->Grid.Stride(2);
+      for (int i = 0; i < this->Grid.Width(0); ++i)
+      {
+        body(row + i, Index{ i, j, k });
+      }
+    }
+  });
+}
 }
 
 #endif

@@ -22,6 +22,7 @@ struct LightGrid
 
   int Size[3] = { 0, 0, 0 };
   bool Closed[2] = { false, false }; ///< along an axis: the last points are the first again
+  bool Open = false; ///< light leaves through the sides, and that of the sky enters; else mirrors
   std::vector<Vector>
     Step; ///< distance to the next point along each axis; at the last point that to the one before
   std::vector<Vector> Sun; ///< direction in which sunlight goes, in the axes of each point; one for
@@ -49,6 +50,13 @@ struct LightGrid
   float ShadowAt(std::size_t p) const { return this->Shadow.empty() ? 1.0f : this->Shadow[p]; }
   float BeamAt(std::size_t p) const { return this->ShadowAt(p) * this->Transmittance(p); }
   bool IsClosed(int axis) const { return axis < 2 && this->Closed[axis]; }
+  /** Whether a point with this index along an axis is on an open side. */
+  bool IsOpenSide(int index, int axis) const
+  {
+    const int last = this->Size[axis] - 1;
+    return this->Open && axis < 2 && !this->Closed[axis] && last > 0 &&
+      (index == 0 || index == last);
+  }
   /** Points along an axis, without repeats of the first. */
   int Width(int axis) const { return this->Size[axis] - (this->IsClosed(axis) ? 1 : 0); }
   /** The index after this one, or -1. */

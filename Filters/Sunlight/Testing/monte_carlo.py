@@ -2,8 +2,8 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """
-Reference light of periodic clouds by Monte Carlo, for TestSunlightMonteCarlo. It shares no code with the filter. Photons move by the method of the greatest
-extinction (WoodcockEtAl1965) through clouds that do not change along y. Phase function: Henyey and Greenstein, g = 0.85; black ground; no light of the sky.
+Reference light of periodic clouds by Monte Carlo, for TestSunlightMonteCarlo, and of cubes of cloud alone, for TestSunlightOpen. It shares no code with the filter. Photons move by the
+method of the greatest extinction (WoodcockEtAl1965); the periodic clouds do not change along y. Phase function: Henyey and Greenstein, g = 0.85; black ground; no light of the sky.
 
     python3 Filters/Sunlight/Testing/monte_carlo.py [CASE ...]   # writes the cases, or all, to monte_carlo.json: half an hour of processor time for all
 """
@@ -62,6 +62,10 @@ CASES = {"step 0": ("step", 0, 0, 1), "step 30": ("step", 30, 180, 1), "step 60"
          "step 75": ("step", 75, 180, 1), "step 0 absorbing": ("step", 0, 0, 0.99), "step 60 absorbing": ("step", 60, 180, 0.99),
          "cascade 60": ("cascade", 60, 180, 1), "cumulus 30": ("cumulus", 30, 180, 1), "cumulus 60 absorbing": ("cumulus", 60, 180, 0.99)}
 
+# Optical depth along each edge of a cube, and the rest as above.
+CUBES = {"cube 0": (10, 0, 0, 1), "cube 60": (10, 60, 180, 1), "cube 60 absorbing": (10, 60, 180, 0.99),
+         "thin cube 0": (2, 0, 0, 1), "thick cube 0": (40, 0, 0, 1)}
+
 
 def sun_of(zenith, azimuth):
     a, b = np.radians((zenith, azimuth))
@@ -108,6 +112,32 @@ def batch(cloud, sun, albedo, random, once=False):
     return found * cloud.columns / BATCH
 
 
+def cube_batch(depth, sun, albedo, random):
+    """Fractions of the light on a uniform cube that leave its top, its base and its sides, and that it absorbs."""
+    lit = np.abs(sun) / np.abs(sun).sum()  # of its faces
+    photons, face = np.arange(BATCH), random.choice(3, BATCH, p=lit)
+    at, way, weight, found = random.random((3, BATCH)), -sun[:, None].repeat(BATCH, 1), np.ones(BATCH), np.zeros(4)
+    at[face, photons] = sun[face] > 0
+    way[0, way[2] == -1] = 1e-9
+    while weight.size:
+        at = at + random.exponential(1 / depth, weight.size) * way
+        beyond = np.maximum(np.where(way > 0, at - 1, -at), 0) / np.maximum(np.abs(way), 1e-30)  # the way since each face
+        out, last = beyond.max(0) > 0, beyond.argmax(0)
+        kind = np.where(last < 2, 2, way[2] < 0)
+        np.add.at(found, kind[out], weight[out])
+        at, way, weight = at[:, ~out], way[:, ~out], weight[~out]
+        found[3] += (1 - albedo) * weight.sum()
+        weight, way = albedo * weight, scattered(way, random)
+    return found / BATCH
+
+
+def cube_table(name):
+    depth, zenith, azimuth, albedo = CUBES[name]
+    found = np.array([cube_batch(depth, sun_of(zenith, azimuth), albedo, np.random.default_rng((7, n))) for n in range(40)])
+    mean, error = found.mean(0), found[:, :3].std(0) / np.sqrt(len(found))
+    return {**{kind: float(f"{v:.5g}") for kind, v in zip(("top", "base", "sides", "absorbed"), mean)}, "error": float(f"{(error / mean[:3]).max():.2g}")}
+
+
 def table(name):
     """Means of the batches, and the greatest of their statistical errors, relative to the value."""
     once = name.endswith("once")
@@ -119,7 +149,7 @@ def table(name):
 
 
 if __name__ == "__main__":
-    for name in sys.argv[1:] or [*CASES, "step 0 once", "step 60 once"]:
-        made = table(name)
+    for name in sys.argv[1:] or [*CASES, "step 0 once", "step 60 once", *CUBES]:
+        made = cube_table(name) if name in CUBES else table(name)
         tables = {**(json.loads(TABLE.read_text()) if TABLE.exists() else {}), name: made}
         TABLE.write_text(json.dumps(dict(sorted(tables.items())), indent=0).replace(",\n", ", ").replace("], ", "],\n").replace("}, ", "},\n") + "\n")

@@ -174,6 +174,23 @@ class Up(unittest.TestCase):
         with self.assertWarnsRegex(RuntimeWarning, "periodic needs an image.*pyvista.create_grid"):
             nephoscope.sunlight(mesh.threshold(-1, scalars="Extinction"), periodic=True)
 
+    def test_open_sides(self):
+        """A tall cloud that fills its mesh is darker without mirrors at its sides. Messages name the arguments."""
+        mesh = pyvista.ImageData(dimensions=(9, 9, 25), spacing=(50, 50, 50))
+        mesh["Extinction"] = np.full(mesh.n_points, 0.02)
+        with self.assertWarnsRegex(RuntimeWarning, r"Turn open_sides on for clouds that end there, or periodic"):
+            mirrors = nephoscope.sunlight(mesh, (1, 0, 1))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            opened = nephoscope.sunlight(mesh, (1, 0, 1), open_sides=True)
+        self.assertLess(opened["Sunlight"].mean(), 0.8 * mirrors["Sunlight"].mean())
+        with self.assertWarnsRegex(RuntimeWarning, "periodic and open_sides are both on"):
+            nephoscope.sunlight(mesh, (1, 0, 1), periodic=True, open_sides=True)
+        plotter = pyvista.Plotter()
+        self.addCleanup(plotter.close)
+        volume = nephoscope.add_cells(plotter, mesh, sun={"direction": (1, 0, 1), "open_sides": True})
+        np.testing.assert_array_equal(volume.mapper.dataset["Sunlight"], opened["Sunlight"])
+
     def test_default_sun_turns_with_the_axis(self):
         upright = ball(21)
         turned = upright.cast_to_structured_grid().rotate_x(-90)  # z becomes y

@@ -30,7 +30,7 @@ SMOKE = {"albedo": 0.9, "asymmetry": 0.6}  # as Filters/Sunlight/Clouds/SmokeOpt
 def _names(say: Callable[[str], str]) -> dict[str, str]:
     """Terms in messages of vtkSunlight, and their names in Python."""
     return {"Make one by Cloud Optics": "Make one by cloud_optics", "set ExtinctionArrayName": f"name one by {say('extinction')}", "ExtinctionArrayName": say("extinction"), "ExtinctionScale": say("extinction_scale"),
-            "SunDirection": say("direction"), "DateTime": say("time"), "PeriodicSides": say("periodic"), "make an image by Resample To Image": "make an image by pyvista.create_grid(mesh).sample(mesh)", "set Up": f"set {say('up')}"}
+            "SunDirection": say("direction"), "DateTime": say("time"), "PeriodicSides": say("periodic"), "OpenSides": say("open_sides"), "make an image by Resample To Image": "make an image by pyvista.create_grid(mesh).sample(mesh)", "set Up": f"set {say('up')}"}
 
 
 _NAMES = _names(str)
@@ -43,7 +43,7 @@ FILMIC_RANGE = 4.0  # at this multiple of it the filmic curve is nearly white
 
 def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *, time: str | datetime = "", place: Numbers | None = None, up: Numbers | str = "z",
              extinction: str = "Extinction", albedo: str | float = "SingleScatteringAlbedo", asymmetry: str | float = "AsymmetryParameter",
-             extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, periodic: bool = False, multiple_scattering: bool = True,
+             extinction_scale: float = 1.0, ground_albedo: float = 0.1, sky_light: float = 0.08, periodic: bool = False, open_sides: bool = False, multiple_scattering: bool = True,
              zenith_angles: int | None = None, azimuth_angles: int | None = None, eye: Numbers | Literal["camera"] | None = None, parallel: bool = False,
              phase_function: str = "henyey-greenstein", clouds: pyvista.DataSet | None = None) -> Mesh:
     """Add the light of sun and sky to a mesh with an extinction: shadows, dark bases and multiple scattering.
@@ -78,7 +78,10 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
     periodic : bool, default: False
         The clouds of an image, a rectilinear or a structured grid repeat beyond its sides, as in a model with periodic boundaries. The copies cast shadows into the
         grid and scatter light into it. If the extinction is equal on opposite sides, these sides count as the same points. Otherwise the next copy begins one grid spacing beyond the last
-        points. False: no shadows come from beyond the sides, which are mirrors for diffuse light.
+        points. False: no shadows come from beyond the sides, which are mirrors for diffuse light or, with `open_sides`, open.
+    open_sides : bool, default: False
+        Diffuse light leaves through the sides of the mesh, and only the light of sun and sky enters there: for clouds that are alone in a box that fits tightly. False: the sides are mirrors
+        for diffuse light, as if the clouds continued beyond them. Grids that close around, such as globes of all longitudes, have no open sides. `periodic` takes precedence.
     multiple_scattering : bool, default: True
         Includes light that is scattered more than once.
     zenith_angles, azimuth_angles : int, optional
@@ -115,7 +118,8 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
     Warns
     -----
     RuntimeWarning
-        For negative and missing extinctions, if the sun is below the horizon, and for a time without a place.
+        For negative and missing extinctions, if the sun is below the horizon, for a time without a place, for clouds that reach sunlit sides of a tall mesh without `periodic` and `open_sides`,
+        and if both of these are True.
     """
     direction, time = as_time(direction), as_time(time)
     if isinstance(direction, str) and not time:
@@ -146,7 +150,7 @@ def _warn_of_wide_map(mesh: pyvista.DataSet, say: Callable[[str], str]) -> None:
 
 
 def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Numbers | None, time: str, place: Numbers | None, up: Numbers | str, extinction: str,
-             albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, periodic: bool, multiple_scattering: bool,
+             albedo: str | float, asymmetry: str | float, extinction_scale: float, ground_albedo: float, sky_light: float, periodic: bool, open_sides: bool, multiple_scattering: bool,
              zenith_angles: int | None, azimuth_angles: int | None, eye: Numbers | Literal["camera"] | None, parallel: bool, phase_function: str, clouds: pyvista.DataSet | None) -> pyvista.DataSet:
     """`sunlight`; messages call its arguments `say(name)`, and begin with the name of the class if that is `str`."""
     _require_sun(direction, time, say)
@@ -175,6 +179,7 @@ def light_of(mesh: pyvista.DataSet, say: Callable[[str], str], direction: Number
     light.SetGroundAlbedo(require_number(ground_albedo, say("ground_albedo"), least=0, most=1))
     light.SetSkyLight(require_number(sky_light, say("sky_light"), least=0, most=10))
     light.SetPeriodicSides(bool(periodic))
+    light.SetOpenSides(bool(open_sides))
     light.SetMultipleScattering(bool(multiple_scattering))
     light.SetZenithAngles(0 if zenith_angles is None else int(require_number(zenith_angles, say("zenith_angles"), least=1, most=16)))
     light.SetAzimuthAngles(0 if azimuth_angles is None else int(require_number(azimuth_angles, say("azimuth_angles"), least=4, most=64)))
