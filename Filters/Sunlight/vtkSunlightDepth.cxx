@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace
@@ -76,7 +77,8 @@ double BeamThroughSide(const nephoscope::LightGrid& grid, std::size_t p, int axi
                      : 0;
 }
 
-// Power of the beam through the cloudy sides, as a fraction of that through the top.
+// Power of the beam through the cloudy sides, as a fraction of that through the top; infinite if
+// the sun is on the horizon.
 double FractionThroughSides(const nephoscope::LightGrid& grid)
 {
   double top = 0, sides = 0;
@@ -94,7 +96,7 @@ double FractionThroughSides(const nephoscope::LightGrid& grid)
     const bool isTop = p + grid.Columns() >= grid.Points();
     top += isTop ? std::max(-grid.SunAt(p)[2], 0.0f) * grid.Step[p][0] * grid.Step[p][1] : 0;
   }
-  return top > 0 ? sides / top : 0;
+  return sides > 0 ? sides / top : 0;
 }
 
 double WithOneDigit(double value)
@@ -133,9 +135,12 @@ void vtkSunlight::WarnOfSides(const nephoscope::LightGrid& grid)
   const double fraction = grid.Open ? 0 : FractionThroughSides(grid);
   if (fraction > much)
   {
+    std::ostringstream amount;
+    amount << WithOneDigit(fraction) << " times as much sunlight enters there as from above";
     vtkWarningMacro(
-      << "Clouds reach the sides of the data, and " << WithOneDigit(fraction)
-      << " times as much sunlight enters there as from above. The sides are mirrors for diffuse light, which cannot leave, so the light is too bright. "
+      << "Clouds reach the sides of the data, and "
+      << (std::isfinite(fraction) ? amount.str() : "all sunlight enters there")
+      << ". The sides are mirrors for diffuse light, which cannot leave, so the light is too bright. "
          "Turn OpenSides on for clouds that end there, or PeriodicSides for clouds that repeat.");
   }
 }

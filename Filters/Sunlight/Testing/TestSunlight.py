@@ -328,7 +328,7 @@ class Wrong(unittest.TestCase):
         tall = image((5, 5, 31), (100, 100, 100), lambda x, y, z: 0 * x + 0.02)
         wide = image((31, 31, 5), (100, 100, 100), lambda x, y, z: 0 * x + 0.02)
         alone = image((9, 9, 31), (100, 100, 100), lambda x, y, z: 0.02 * ((np.abs(x - 400) < 350) & (np.abs(y - 400) < 350)))
-        for name, data, sun, told, options in (("tall", tall, (1, 0, 1), "times", {}), ("from -y", tall, (0, -1, 1), "times", {}), ("overhead", tall, (0, 0, 1), "", {}), ("wide", wide, (1, 0, 1), "", {}),
+        for name, data, sun, told, options in (("tall", tall, (1, 0, 1), "times", {}), ("from -y", tall, (0, -1, 1), "times", {}), ("on the horizon", tall, (1, 0, 0), "all sunlight", {}), ("overhead", tall, (0, 0, 1), "", {}), ("wide", wide, (1, 0, 1), "", {}),
                                                ("alone", alone, (1, 0, 1), "", {}), ("periodic", tall, (1, 0, 1), "", {"PeriodicSides": True})):
             with self.subTest(name):
                 found = [message for message in light_of(data, sun, **options)[1] if "reach the sides" in message]
