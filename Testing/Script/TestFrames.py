@@ -79,7 +79,7 @@ class Frames(unittest.TestCase):
                 if i == 2:
                     os.symlink("/dev/full", file)
                 draw(i, file)
-            with self.assertRaisesRegex(OSError, "unfinished.png cannot be written: .*. Free: [0-9.,]+ [kMG]B; needed: about .*. 2 of 5 frames are kept in .*film. The same call goes on"):
+            with self.assertRaisesRegex(OSError, "unfinished.png cannot be written: .*. Free: [0-9.,]+ [kMG]B; needed: about .*. 2 of 5 frames are kept in .*film. The same call continues"):
                 self.make(draw=full, settings=(repr(draw),))
             self.make(settings=(repr(draw),))
             self.assertEqual(self.drawn, [2, 3, 4])

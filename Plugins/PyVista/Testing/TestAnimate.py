@@ -74,7 +74,8 @@ class Vectors(Animation):
                 warnings.simplefilter("ignore")
                 mappers.append(nephoscope.add_splats(self.new_plotter(), mesh, "T", vectors="U").mapper)
         self.assertAlmostEqual(mappers[1].GetVectorFraction(), mappers[0].GetVectorFraction(), delta=0.02)
-        self.assertAlmostEqual(mappers[1].GetVectorOpacity(), mappers[0].GetVectorOpacity(), delta=0.05)
+        ratio = mappers[1].GetVectorOpacity() / mappers[0].GetVectorOpacity()
+        self.assertTrue(1 <= ratio <= 1.26, ratio)  # full length is up to 1.25 times that of the 99th percentile
 
     def test_one_unit(self):
         """The unit is that of the step with the fastest vectors, whichever is shown."""

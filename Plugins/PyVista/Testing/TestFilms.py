@@ -169,7 +169,7 @@ class FullDisk(Films):
                 self.animate(stop=fill)
         finally:
             resource.setrlimit(resource.RLIMIT_FSIZE, limits)
-        self.assertRegex(str(caught.exception), f"{self.kept}/unfinished.png cannot be written: File too large. Free: [0-9.,]+ [kMG]B; needed: about [0-9.]+ kB. 3 of {COUNT} frames are kept in {self.kept}. The same call goes on")
+        self.assertRegex(str(caught.exception), f"{self.kept}/unfinished.png cannot be written: File too large. Free: [0-9.,]+ [kMG]B; needed: about [0-9.]+ kB. 3 of {COUNT} frames are kept in {self.kept}. The same call continues")
         self.assertFalse((self.kept / "unfinished.png").exists())
         self.assertEqual(self.animate(), 1 + COUNT - 3)
         self.assertEqual(len(self.frames()), COUNT)
