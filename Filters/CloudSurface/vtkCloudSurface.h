@@ -6,8 +6,9 @@
  *
  *     image, rectilinear or structured grid, a point scalar, values
  *                               |
- *     smooth (vtkStructuredSmoothing) -> contour (vtkFlyingEdges3D) -> drop what is hidden -> join
- *     seams and poles -> normals
+ *     smooth (vtkStructuredSmoothing) -> contour (vtkFlyingEdges3D) -> drop what is hidden
+ *                               |
+ *     join seams and poles -> normals
  *                               |
  *     vtkPolyData: triangles, all point arrays, Normals, ContourIndex
  *

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The active voxels of grids as points. 1. which voxels: the union of the grids on the first one's
-// lattice;
-// 2. their places; 3. for every grid an array of its values there.
+// The active voxels of grids as points.
+// 1. which voxels: the union of the grids on the first one's lattice;
+// 2. their places;
+// 3. for every grid an array of its values there.
 #include "VdbReading.h"
 #include "VdbValues.h"
 

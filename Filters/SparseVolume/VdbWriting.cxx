@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// 1. what the data are: an image, voxels as points, or particles; 2. a grid for every array that is
-//    to be written;
-// 3. names and metadata; 4. the file.
+// 1. what the data are: an image, voxels as points, or particles;
+// 2. a grid for every array that is to be written;
+// 3. names and metadata;
+// 4. the file.
 #include "VdbWriting.h"
 
 #include "DataSets.h"

@@ -4,10 +4,10 @@
  * @class   vtkSparseVolumeWriter
  * @brief   writes images, sparse voxels and particles as grids of a .vdb file
  *
- *     vtkImageData: point and cell arrays ──────────────► voxels that are not background ┐
- *     vtkPolyData of vtkSparseVolumeReader ─────────────► the same voxels                ├─►
- *     vtkPolyData, vtkUnstructuredGrid of vertices ─────► density and weighted means     ┘
- *         tiles where constant ─► .vdb file
+ *     vtkImageData: point and cell arrays ──────────► voxels that are not background ┐
+ *     vtkPolyData of vtkSparseVolumeReader ─────────► the same voxels                ├─► tiles
+ *     vtkPolyData, vtkUnstructuredGrid of vertices ─► density and weighted means     ┘     │
+ *                                                                where constant, .vdb file ◄┘
  *
  * - Image: a grid for every array of one or three components; values up to Tolerance, hidden points
  *   and NaN become background and take no memory. Voxel centres are the points, or the centres of

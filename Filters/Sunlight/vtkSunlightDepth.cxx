@@ -132,7 +132,8 @@ void vtkSunlight::WarnOfDepth(vtkDataSet* data, const Work& work)
 void vtkSunlight::WarnOfSides(const nephoscope::LightGrid& grid)
 {
   constexpr double much = 0.5;
-  const double fraction = grid.Open ? 0 : FractionThroughSides(grid);
+  const bool hasRemedy = !grid.Open && !grid.Closed[0] && !grid.Closed[1];
+  const double fraction = hasRemedy ? FractionThroughSides(grid) : 0;
   if (fraction > much)
   {
     std::ostringstream amount;

@@ -4,8 +4,8 @@
  * @class vtkCloudsOverGlobe
  * @brief the forecast that comes with Nephoscope, on a globe, in sunlight: an example to start from
  *
- *     vtkNetCDFCFReader -> vtkGlobeGrid -> vtkCloudOptics -> vtkSunlight -> port 0:
- *     vtkStructuredGrid
+ *     vtkNetCDFCFReader -> vtkGlobeGrid -> vtkCloudOptics -> vtkSunlight
+ *                                                                 |-> port 0: vtkStructuredGrid
  *                                                                 |
  *                              Blue Marble -> times the light at the ground -> port 1: vtkPolyData
  *

@@ -252,7 +252,7 @@ def check_light(messages):
               ["no array of cloud water", "There is no temperature", "There is no pressure", "Point arrays: 'RTData'"], messages)
     water = pvs.Calculator(Input=wavelet, ResultArrayName="clwmr", Function="1e-4")
     told_once("water alone", pvs.CloudOptics(Input=water), None, ["There is no temperature", "There is no pressure", "'clwmr'"], messages)
-    cloud = pvs.Calculator(Input=wavelet, ResultArrayName="Extinction", Function="0.1")
+    cloud = pvs.Calculator(Input=wavelet, ResultArrayName="Extinction", Function="0.03")
     pvs.RenameSource("air", air := pvs.Wavelet(WholeExtent=[6, 10, -4, 4, -4, 4]))
     lit = pvs.Sunlight(Input=pvs.GroupDatasets(Input=[cloud, air]))
     told_once("a clear block", lit, None, ["Block '", "no array 'Extinction'", "clear air"], messages)

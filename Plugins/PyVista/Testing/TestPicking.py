@@ -123,6 +123,9 @@ class Clicks(unittest.TestCase):
         nephoscope.disable_picking(self.plotter)
         self.click(30, 30)
         self.assertEqual(len(second), 1)
+        nephoscope.enable_picking(self.plotter, second.append)
+        self.plotter.close()
+        nephoscope.disable_picking(self.plotter)
 
     def test_wrong_arguments(self):
         with self.assertRaisesRegex(TypeError, "plotter is a int"):

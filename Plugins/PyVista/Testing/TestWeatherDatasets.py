@@ -168,7 +168,7 @@ class Refusals(unittest.TestCase):
         dataset = isothermal(LON, LAT)
         del dataset["ta"].attrs["units"]
         self.assertIn("'ta' has no units and is used as K", dataset.nephoscope.describe())
-        self.raises("'ta' has no units.*no temperature in K", (dataset.assign(ta=(dataset.ta - 250).assign_attrs(standard_name="air_temperature"))).nephoscope.globe)
+        self.raises("'ta' has no units.*not plausible for temperature in K", (dataset.assign(ta=(dataset.ta - 250).assign_attrs(standard_name="air_temperature"))).nephoscope.globe)
 
     def test_names_that_are_not_there(self):
         dataset = isothermal(LON, LAT)

@@ -318,7 +318,7 @@ class Words(unittest.TestCase):
     def test_temperatures_in_celsius_without_units(self):
         data = isothermal(LON, LAT)
         data["ta"] = (data.ta - 273.15).assign_attrs(standard_name="air_temperature")
-        with self.assertRaisesRegex(ValueError, r"no temperature in K. Set them: ds\['ta'\].attrs\['units'\] = 'degC'"):
+        with self.assertRaisesRegex(ValueError, r"not plausible for temperature in K. Set them: ds\['ta'\].attrs\['units'\] = 'degC'"):
             data.nephoscope.globe()
 
     def test_winds_at_10_metres(self):

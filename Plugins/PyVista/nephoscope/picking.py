@@ -99,7 +99,8 @@ def disable_picking(plotter: pyvista.Plotter) -> None:
     """
     require_plotter(plotter)
     for observer in _observers.pop(plotter, {}).values():
-        plotter.iren.remove_observer(observer)
+        if getattr(plotter, "iren", None) is not None:  # a closed plotter has none
+            plotter.iren.remove_observer(observer)
 
 
 def _picked(volume: Any, renderer: Any, pixel: tuple[int, int]) -> Picked | None:

@@ -208,10 +208,9 @@ std::string RayMedia::DrawFrom(const std::vector<Medium>& media)
     return NotCompiled;
   }
   this->Begin(media);
-  const std::string error = this->DrawLonePixels(media);
-  if (!error.empty())
+  if (!this->DrawLonePixels(media))
   {
-    return error;
+    return NotCompiled;
   }
   bool more = true;
   for (int round = 0; more && round < maximumRounds; ++round)
@@ -223,39 +222,48 @@ std::string RayMedia::DrawFrom(const std::vector<Medium>& media)
     this->Plan = 1 - this->Plan;
     for (const Medium& medium : media)
     {
-      medium.Rays->NumberOfLayers = round + 1;
+      medium.Rays->NumberOfLayers = std::max(medium.Rays->NumberOfLayers, round + 1);
     }
   }
   return std::string();
 }
 
 // Those whose rays enter a single mesh. The others are left for the rounds. Rays that start at the
-// eye need no entry: then all are left.
-std::string RayMedia::DrawLonePixels(const std::vector<Medium>& media)
+// eye need no entry: then all are left. False if a shader did not compile.
+bool RayMedia::DrawLonePixels(const std::vector<Medium>& media)
 {
+  for (const Medium& medium : media)
+  {
+    medium.Rays->NumberOfLayers = 0;
+  }
   const auto startsAtEye = [](const Medium& medium) {
     return medium.Rays->StartsAtEye(*medium.Drawing->Options.Eye);
   };
   if (std::any_of(media.begin(), media.end(), startsAtEye))
   {
-    return std::string();
+    return true;
   }
   this->FindOwners(media);
-  std::string error;
   const int count = static_cast<int>(media.size());
-  for (int i = 0; i < count && error.empty(); ++i)
+  for (int i = 0; i < count; ++i)
   {
     const Medium& medium = media[static_cast<std::size_t>(i)];
     medium.Rays->Entries.SetOwners(this->Owners, i);
-    error = medium.Rays->DrawFrom(*medium.Drawing, true);
+    if (!medium.Rays->DrawFrom(*medium.Drawing, true).empty())
+    {
+      return false;
+    }
   }
   for (const Medium& medium : media)
   {
     medium.Rays->Entries.SetOwners(this->Owners, count);
-    medium.Rays->Entries.ReadyProgram(*medium.Drawing);
+    if (!medium.Rays->Entries.ReadyProgram(*medium.Drawing))
+    {
+      return false;
+    }
   }
   this->Begin(media);
-  return error;
+  return true;
 }
 
 void RayMedia::FindOwners(const std::vector<Medium>& media)

@@ -63,7 +63,7 @@ private:
   std::string DrawFrom(const std::vector<Medium>& media);
   void Allocate(const CellDrawing& drawing);
   bool ReadyPrograms(const std::vector<Medium>& media);
-  std::string DrawLonePixels(const std::vector<Medium>& media);
+  bool DrawLonePixels(const std::vector<Medium>& media);
   void FindOwners(const std::vector<Medium>& media);
   void Begin(const std::vector<Medium>& media);
   bool FindNextEntries(const std::vector<Medium>& media);

@@ -264,7 +264,7 @@ std::vector<std::pair<double, double>> FindSurfaces(
   return found;
 }
 
-/** The same as walk(), and surfaces on the way. */
+/** The same as Walk(), and surfaces on the way. */
 double WalkWithSurfaces(const Values& values, const PickMedium& medium,
   const TransferFunctionTable& table, double begin, double end, double& left)
 {
