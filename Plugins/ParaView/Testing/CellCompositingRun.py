@@ -76,6 +76,9 @@ inner = pvs.Transform(Input=other)
 inner.Transform.Rotate, inner.Transform.Scale = [10, 20, 30], [0.6, 0.6, 0.9]
 draw("media", wavelet, beside=inner)
 draw("media-hexahedra", pvs.AppendDatasets(Input=coarse), opacity_scale=5, beside=other)
+# A volume that is empty has no bounds, which would be the region of every rank.
+nothing = pvs.Threshold(Input=wavelet, Scalars=["POINTS", "RTData"], LowerThreshold=9998, UpperThreshold=9999)
+draw("beside-nothing", pvs.Tetrahedralize(Input=wavelet), beside=nothing)
 vectors = pvs.Calculator(Input=rotated, ResultArrayName="v", Function="coordsX*iHat+coordsY*jHat+0.5*coordsZ*kHat")
 draw("magnitude", vectors, **{**lit, "CellCompositingContourArray": "v", "CellCompositingContourValues": [6]})
 # Cells so warped, some of them, that their tetrahedra overlap: all ranks draw their trilinear field.

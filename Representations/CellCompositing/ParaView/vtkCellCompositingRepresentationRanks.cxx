@@ -164,6 +164,10 @@ void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
   }
   this->KeepsPiece = this->AxisAligned;
   this->Superclass::DescribePiece(inInfo);
+  if (MinimumOverRanks(this->Piece->GetNumberOfCells() == 0 ? 1 : 0) == 1)
+  {
+    return; // without bounds it has no part in the regions of the ranks
+  }
   if (this->AxisAligned)
   {
     vtkPVRenderView::SetOrderedCompositingConfiguration(
