@@ -68,7 +68,7 @@ class Mie(unittest.TestCase):
     def test_table_is_that_of_the_series(self):
         """With fewer sizes: the ripple of single sizes is left."""
         _, phase = mie.droplet_phase_function(sizes=150, step=1.0)
-        text = (pathlib.Path(__file__).parent.parent / "DropletPhaseFunction.h").read_text()
+        text = (pathlib.Path(__file__).parent.parent / "PhaseFunctions" / "DropletPhaseFunction.h").read_text()
         table = np.array([float(value) for value in re.findall(r"([\d.e+-]+)f,?", text[text.index("[] = {"):text.index("};")])])
         self.assertEqual(len(table), 721)
         self.assertLess(np.median(np.abs(table[16::4] / phase[4:] - 1)), 0.02)

@@ -143,7 +143,7 @@ def main():
     share, forward, backward = double_henyey_greenstein(angles, phase, integral(phase * cosine, cosine) / 2)
     rows = [", ".join(f"{value:.5g}f" if "." in f"{value:.5g}" or "e" in f"{value:.5g}" else f"{value:.5g}.0f" for value in phase[k:k + 14]) for k in range(0, len(phase), 14)]
     text = HEADER.format(step=STEP, share=share, forward=forward, backward=backward, values=",\n".join("  " + row for row in rows))
-    (pathlib.Path(__file__).parent.parent / "DropletPhaseFunction.h").write_text(text)
+    (pathlib.Path(__file__).parent.parent / "PhaseFunctions" / "DropletPhaseFunction.h").write_text(text)
 
 
 if __name__ == "__main__":
