@@ -10,7 +10,7 @@
  * are convex or their gaps few: there is one round more than re-entries.
  *
  * Where a ray enters a single mesh, it is walked through as that of a single volume, which is
- * several times faster.
+ * faster.
  */
 #ifndef nephoscope_RayMedia_h
 #define nephoscope_RayMedia_h
