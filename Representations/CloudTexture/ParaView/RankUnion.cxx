@@ -142,6 +142,13 @@ void CloseGaps(const std::vector<DataSets>& ofRanks)
   {
     return;
   }
+  for (vtkBoundingBox& box : boxes)
+  {
+    if (box.IsValid())
+    {
+      box.Inflate(step);
+    }
+  }
   MeetingPoints points(step);
   for (std::size_t rank = 0; rank < ofRanks.size(); ++rank)
   {
@@ -149,9 +156,7 @@ void CloseGaps(const std::vector<DataSets>& ofRanks)
     const auto isShared = [&](const Vector3& p) {
       for (std::size_t other = 0; other < boxes.size(); ++other)
       {
-        vtkBoundingBox box = boxes[other];
-        box.IsValid() ? box.Inflate(step) : void();
-        if (other != rank && box.IsValid() && box.ContainsPoint(p.data()))
+        if (other != rank && boxes[other].IsValid() && boxes[other].ContainsPoint(p.data()))
         {
           return true;
         }
@@ -169,7 +174,14 @@ void CloseGaps(const std::vector<DataSets>& ofRanks)
         if (isShared(p))
         {
           const Vector3* found = points.Find(p);
-          found ? moved->SetPoint(i, found->data()) : mine.push_back(p);
+          if (found)
+          {
+            moved->SetPoint(i, found->data());
+          }
+          else
+          {
+            mine.push_back(p);
+          }
         }
       }
       vtkPolyData::SafeDownCast(surface)->SetPoints(moved);

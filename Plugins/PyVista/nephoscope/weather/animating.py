@@ -55,8 +55,9 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     draw : str or callable
         A variable or a quantity to compute, as in ``dataset.nephoscope.plot``, drawn by `add_cells`; or a function ``draw(plotter, mesh)`` that is called once and adds what you
         want to draw. The values of the mesh change with the time; of PyVista meshes, points and cells too. Colours and opacities stay the same: their range covers all steps (a sample of 50 if there are more), unless
-        you give limits with ``clim``. Data that the function derives from the mesh, such as light, slices or smoke, do not change, and a warning says so: derive them from each mesh first. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`, whose streaks move from step to step, even on meshes that
+        you give limits with ``clim``. So do the ``maximum_speed`` and the ``unit`` of the `vectors` of `add_splats`, whose streaks move from step to step, even on meshes that
         do not change: the fastest by at most their distance in a second of the film, or by ``true_speed``. A ``phase`` or ``film_time`` that you set is kept.
+        Data that the function derives from the mesh, such as light, slices or smoke, stay the same in all steps, and a warning says so: derive them from each mesh first.
     filename : str or pathlib.Path, optional
         A film: ``.gif`` (needs Pillow), ``.mp4`` (needs the program ffmpeg, on the path or of the package imageio-ffmpeg), or a folder for PNG pictures. Default: a slider of time.
         Until the film is complete its frames are in the folder ``<filename>.frames`` next to it, or in the folder for PNG pictures itself. After an interruption the same call continues from there. It draws the newest of these
