@@ -121,6 +121,32 @@ test_long_tests()
   expect "the tests that are asked for" [ "${CHOSEN[*]}" = "-R Script_tidy" ]
 }
 
+# A failure among the output of hundreds of tests is repeated at the end.
+test_failures()
+{
+  # shellcheck source=/dev/null
+  source "$TOP/CMake/script/tests.sh"
+  cat >"$WORK/CTestTestfile.cmake" <<'E'
+add_test(passes echo fine)
+add_test(fails sh -c "seq 1 40; exit 3")
+add_test(says_nothing false)
+add_test(lacks_a_word echo hello)
+set_tests_properties(lacks_a_word PROPERTIES PASS_REGULAR_EXPRESSION goodbye)
+add_test(takes_too_long sh -c "echo begun; sleep 20")
+set_tests_properties(takes_too_long PROPERTIES TIMEOUT 1)
+E
+  BUILD=$WORK run report_failures
+  expect "nothing without tests" [ -z "$ERR" ]
+  run ctest --test-dir "$WORK" -j 5
+  BUILD=$WORK run report_failures
+  expect "the last lines of one that fails" contains "$ERR" $' fails failed. Its last lines:\n      | 16\n'
+  expect "the very last" contains "$ERR" '| 40'
+  expect "one without output" contains "$ERR" 'says_nothing failed.'
+  expect "one that lacks a word" contains "$ERR" $'lacks_a_word failed. Its last lines:\n      | hello\n'
+  expect "one that takes too long" contains "$ERR" $'takes_too_long failed. Its last lines:\n      | begun'
+  expect "no other" lacks "$ERR" fine
+}
+
 # Each grid and length of the time series has a file of its own.
 test_forecast_files()
 {
