@@ -12,6 +12,7 @@ import time
 
 import nephoscope
 import numpy as np
+import pyvista
 from nephoscope_testing import weather
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersFlowPaths import vtkStreamSurface
@@ -132,6 +133,25 @@ def pictures(made):
         row(f"with {rays} of 600² pixels ({device})", measure(draw, 8), f"{made.GetOutput().GetNumberOfCells()} tetrahedra")
 
 
+def widget(globe):
+    """A drag of `add_smoke_widget`, without the globe's surface, after the eight updates in which it finds its pace."""
+    plotter = pyvista.Plotter(off_screen=True, window_size=(600, 600))
+    plotter.render_window.SetMultiSamples(0)
+    dragged = nephoscope.add_smoke_widget(plotter, pyvista.wrap(globe), center=position(-150), radius=3e5, duration=DURATION, color="white")
+    plotter.view_vector(position(-150), viewup=(0, 0, 1))
+    plotter.show(auto_close=False, interactive=False)
+    plotter.render_window.SetDesiredUpdateRate(plotter.iren.interactor.GetDesiredUpdateRate())
+    sizes = []
+
+    def draw(number):
+        dragged.drag(position(-150 - 0.02 * number))
+        plotter.render_window.Render()
+        sizes.append(dragged.filter.GetOutput().GetNumberOfCells())
+    measure(draw, 8)
+    row("add_smoke_widget, dragged, with a picture of 600² pixels", measure(draw), f"{int(np.median(sizes[8:]))} tetrahedra (median)")
+    plotter.close()
+
+
 def main():
     globe = weather.forecast_globe(EXAGGERATION)
     print("| | wall ms | processor ms | updates/s | size |")
@@ -139,6 +159,7 @@ def main():
     made, ours = updates(globe, 1.5e5)
     theirs = stream_surface(globe)
     pictures(made)
+    widget(globe)
     print(f"\nvtkStreamSurface takes {theirs[0] / ours[0]:.1f} times the wall time, {theirs[1] / ours[1]:.1f} times the processor time.")
 
 

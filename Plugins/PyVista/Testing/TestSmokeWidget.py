@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.add_smoke_widget: the polygon faces the flow where the ball is dragged, and the smoke flows from there."""
+import random
 import unittest
 from unittest import mock
 
 import nephoscope
 import numpy as np
 import pyvista
+from nephoscope._drag_pace import DragPace
 
 
 def whirl():
@@ -62,15 +64,29 @@ class Widget(unittest.TestCase):
         """And complete when the ball is released; where updates are fast enough, it is never coarser."""
         counts = {}
         for rate in (1e-6, 1e6):
-            with mock.patch.multiple("nephoscope.smoke_widget", UPDATES_PER_SECOND=rate, COARSEST=100):
+            with mock.patch.multiple("nephoscope._drag_pace", UPDATES_PER_SECOND=rate, COARSEST=100, EXTRA=0, MOST_GROWTH=1e9):
                 self.add()
                 counts[rate] = []
                 for step in range(4):
                     self.drag(0, 4, 0.1 * step, end=step == 3)
+                    self.plotter.render()
                     counts[rate].append(self.volume.mapper.dataset.n_cells)
         self.assertGreater(min(counts[1e-6]), 300)
         self.assertTrue(all(0 < count <= 100 for count in counts[1e6][1:3]), counts)
         self.assertEqual(counts[1e6][3], counts[1e-6][3])
+
+    def test_pace_of_a_drag(self):
+        """Seconds of an update: a fixed part and a part per tetrahedron, up to 10 % more or less. Volumes have fewer tetrahedra than they may."""
+        for fixed, each, low, high in ((0.03, 3e-6, 0.08, 0.11), (0.09, 2e-6, 0.09, 0.12), (0.5, 3e-6, 0.52, 0.64), (0.005, 3e-5, 0.06, 0.11), (0.001, 1e-7, 0, 0.012)):
+            chance, pace, seconds = random.Random(1), DragPace(70_000), []
+            pace.note(70_000, 1 + fixed + 70_000 * each)  # compiles shaders
+            pace.note(pace.number, 0.3 + fixed + pace.number * each)  # and more of them
+            for _ in range(60):
+                cells = int(pace.number * chance.uniform(0.7, 1))
+                pace.note(cells, (fixed + cells * each) * chance.uniform(0.9, 1.1))
+                seconds.append(fixed + pace.number * each)
+                self.assertTrue(2000 <= pace.number <= 70_000)
+            self.assertTrue(low <= np.median(seconds[20:]) <= high, (fixed, each, np.median(seconds[20:])))
 
     def test_smoke_waits_for_the_end_of_the_drag(self):
         line = self.add(while_dragging=False)

@@ -9,14 +9,12 @@ from typing import Any
 
 import pyvista
 
+from ._drag_pace import DragPace
 from ._medium import require_plotter
 from ._typing import Numbers
 from .smoke import _NAMES, _filter, flow_volume
 from .smoke_drawing import add_smoke
 from ._pipeline import vtk_messages
-
-UPDATES_PER_SECOND = 10.0  # while the ball is dragged, as far as a coarser volume can give them
-COARSEST = 2000  # tetrahedra
 
 
 def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.MultiBlock, *, color: Any = None,
@@ -36,8 +34,8 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
     polygon_color : ColorLike, default: "orange"
         Colour of the polygon and of the ball.
     while_dragging : bool, default: True
-        True: updates the smoke while you drag, with as many tetrahedra, from 2,000 to ``max_tetrahedra``, as allow ten updates a second; the smoke is
-        complete again when you release the ball. False: shows only the polygon while you drag, and updates the smoke when you release the ball.
+        True: updates the smoke while you drag, with as many tetrahedra, from 2,000 to ``max_tetrahedra``, as allow ten updates a second; in a scene
+        that is slower without smoke, with as many as add a quarter of its time. The smoke is complete again when you release the ball. False: shows only the polygon while you drag, and updates the smoke when you release the ball.
     **options
         Arguments of `flow_volume` for a steady flow (`center`, `radius`, `duration`, ...), and of `add_smoke` (`optical_depth`, ...).
 
@@ -78,8 +76,11 @@ class SmokeWidget:
         self.filter = _filter(mesh, **{**flow_volume.__kwdefaults__, **flow})[0]
         with vtk_messages(self.filter, _NAMES):
             self.filter.Update()
-        self.mesh, self.plotter, self._renderer = mesh, plotter, plotter.renderer
-        self._full = self._coarse = self.filter.GetMaximumNumberOfTetrahedra()
+        self.mesh, self.plotter = mesh, plotter
+        self._full = self.filter.GetMaximumNumberOfTetrahedra()
+        self._pace, self._update_seconds, self._start = DragPace(self._full), 0.0, 0.0
+        plotter.render_window.AddObserver("StartEvent", self._before_picture)
+        plotter.render_window.AddObserver("EndEvent", self._after_picture)
         self.radius = self.filter.GetRadius() or pyvista.wrap(mesh).length / 50
         self.volume = add_smoke(plotter, pyvista.wrap(self.filter.GetOutput()).copy(deep=False), **drawing)
         self.outline = self._across(self.filter.GetNormalUsed())
@@ -88,10 +89,18 @@ class SmokeWidget:
 
     def drag(self, center: Numbers) -> None:
         start = time.perf_counter()
-        self._move(center, self._coarse)
-        seconds = time.perf_counter() - start + self._renderer.GetLastRenderTimeInSeconds()
-        fitting = int(self.filter.GetOutput().GetNumberOfCells() / (UPDATES_PER_SECOND * seconds))
-        self._coarse = min(max(fitting, COARSEST), self._full)
+        self._move(center, self._pace.number)
+        self._update_seconds = time.perf_counter() - start
+
+    def _before_picture(self, *_: Any) -> None:
+        self._start = time.perf_counter()
+
+    def _after_picture(self, window: Any, _: str) -> None:
+        """The first picture after an update of a drag tells its pace."""
+        if self._update_seconds > 0:
+            window.WaitForCompletion()
+            self._pace.note(self.filter.GetOutput().GetNumberOfCells(), self._update_seconds + time.perf_counter() - self._start)
+            self._update_seconds = 0.0
 
     def move(self, center: Numbers) -> None:
         self._move(center, self._full)
