@@ -48,7 +48,10 @@ vtkTexturedSplatMapper::vtkTexturedSplatMapper()
 {
   nephoscope::VolumeOrder::Enrol(this,
     { [this](vtkRenderer* renderer, vtkVolume* volume) { this->DrawInOrder(renderer, volume); },
-      [](vtkRenderer*, vtkVolume*) { return std::size_t(1); }, []() { return true; } });
+      [](vtkRenderer*, vtkVolume*) { return std::size_t(1); }, []() { return true; },
+      [this](vtkRenderer* renderer, vtkVolume* volume, nephoscope::DepthTiles& tiles) {
+        return this->AddTo(renderer, volume, tiles);
+      } });
 }
 
 vtkTexturedSplatMapper::~vtkTexturedSplatMapper()
@@ -140,6 +143,30 @@ void vtkTexturedSplatMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* volum
     error = this->DrawInTime(window, renderer, volume);
   }
   this->ReportOnce(error);
+}
+
+// False if nothing can be drawn, which DrawInOrder reports.
+bool vtkTexturedSplatMapper::AddTo(
+  vtkRenderer* renderer, vtkVolume* volume, nephoscope::DepthTiles& tiles)
+{
+  if (this->GetInputAlgorithm())
+  {
+    this->GetInputAlgorithm()->Update();
+  }
+  vtkDataSet* input = this->GetDataSetInput();
+  this->WithNeighbors = input && this->DrawsRegion(renderer);
+  if (!input || input->GetNumberOfPoints() == 0 || !this->UpdateSplats(input, volume).empty())
+  {
+    return false;
+  }
+  nephoscope::SplatScene& scene = this->Internals->Scene;
+  const nephoscope::ViewState state(renderer, volume, scene.GetSamples().Center);
+  this->SelectSplats(renderer, volume, state);
+  nephoscope::SplatDrawingOptions options;
+  options.Kernel = static_cast<nephoscope::SplatKernel>(this->Kernel);
+  this->SetVectorOptions(options);
+  nephoscope::AddSplats(scene.GetSorted(), state.View, options, tiles);
+  return true;
 }
 
 void vtkTexturedSplatMapper::ReportOnce(const std::string& error)

@@ -44,6 +44,7 @@ class vtkVolumeProperty;
 namespace nephoscope
 {
 class SplatVectorScene;
+class DepthTiles;
 struct SplatDrawingOptions;
 struct SplatSampling;
 struct SplatVectorSettings;
@@ -432,6 +433,7 @@ private:
   nephoscope::SplatVectorScene& GetVectorScene();
   double GetExtinctionFactor();
   bool DrawsRegion(vtkRenderer* renderer) const;
+  bool AddTo(vtkRenderer* renderer, vtkVolume* volume, nephoscope::DepthTiles& tiles);
   void SetRegionOptions(nephoscope::SplatDrawingOptions& options) const;
   nephoscope::SplatSampling GetSampling(bool onCells) const;
   std::string UpdateSplats(vtkDataSet* input, vtkVolume* volume);

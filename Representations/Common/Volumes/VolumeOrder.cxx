@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -85,6 +86,26 @@ bool MaySlice(const Volumes& volumes)
 {
   return std::all_of(volumes.begin(), volumes.end(),
     [](vtkVolume* volume) { return PartOf(volume)->MayBeSliced(); });
+}
+
+/** Those of a group that are drawn as one medium, together; the others alone. */
+std::vector<VolumeSlices::Medium> MediaOf(vtkRenderer* renderer, const Volumes& group)
+{
+  const auto mixes = [&](vtkVolume* volume) { return PartOf(volume)->Mixes(renderer, volume); };
+  Volumes mixed;
+  std::copy_if(group.begin(), group.end(), std::back_inserter(mixed),
+    [&](vtkVolume* volume) { return mixes(volume) > 1; });
+  const bool areOne = AreMedium(renderer, mixed);
+  std::vector<VolumeSlices::Medium> media;
+  for (vtkVolume* volume : group)
+  {
+    const bool isMixed = areOne && mixes(volume) > 1;
+    if (!isMixed || volume == mixed.front())
+    {
+      media.push_back({ isMixed ? mixed : Volumes(1, volume), PartOf(volume)->AddTo });
+    }
+  }
+  return media;
 }
 
 Volumes DrawnVolumes(vtkRenderer* renderer)
@@ -330,7 +351,7 @@ void VolumeOrder::Draw(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, v
     }
     else
     {
-      slices.Draw(renderer, group, DrawOne);
+      slices.Draw(renderer, group, MediaOf(renderer, group), DrawOne);
     }
   }
 }

@@ -25,6 +25,8 @@ class vtkWindow;
 namespace nephoscope
 {
 
+class DepthTiles;
+
 class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT VolumeOrder
 {
 public:
@@ -36,6 +38,8 @@ public:
     std::function<std::size_t(vtkRenderer*, vtkVolume*)> Mixes;
     /** Whether it can be drawn in slices. */
     std::function<bool()> MayBeSliced;
+    /** Adds what it draws; false: that may be anywhere in its box. Empty for the same. */
+    std::function<bool(vtkRenderer*, vtkVolume*, DepthTiles&)> AddTo;
   };
   static void Enrol(vtkAbstractVolumeMapper* mapper, const Part& part);
   static void Leave(vtkAbstractVolumeMapper* mapper);

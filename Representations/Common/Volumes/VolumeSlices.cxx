@@ -57,15 +57,15 @@ struct Span
   }
 };
 
-Span OverlapOf(vtkCamera* camera, const std::vector<vtkVolume*>& volumes)
+Span OverlapOf(vtkCamera* camera, const std::vector<VolumeSlices::Medium>& media)
 {
   Span span;
-  for (auto a = volumes.begin(); a != volumes.end(); ++a)
+  for (auto a = media.begin(); a != media.end(); ++a)
   {
-    for (auto b = a + 1; b != volumes.end(); ++b)
+    for (auto b = a + 1; b != media.end(); ++b)
     {
-      vtkBoundingBox common((*a)->GetBounds());
-      if (common.IntersectBox(vtkBoundingBox((*b)->GetBounds())))
+      vtkBoundingBox common = a->GetBox();
+      if (common.IntersectBox(b->GetBox()))
       {
         span.Add(camera, common);
       }
@@ -84,14 +84,14 @@ struct Division
 };
 
 /** In front of the span, in it, and behind it. */
-std::vector<Division> Divide(vtkRenderer* renderer, const Span& span, int count)
+std::vector<Division> Divide(vtkRenderer* renderer, const std::array<double, 2>& span, int count)
 {
   vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
     renderer->GetTiledAspectRatio(), -1, 1);
   std::vector<Division> divisions = { { -farAway, 0 } };
-  for (int i = 0; i <= count && span.Near < span.Far; ++i)
+  for (int i = 0; i <= count && span[0] < span[1]; ++i)
   {
-    const double distance = span.Near + (span.Far - span.Near) * i / count;
+    const double distance = span[0] + (span[1] - span[0]) * i / count;
     const double depth = (matrix->GetElement(2, 3) - matrix->GetElement(2, 2) * distance) /
       (matrix->GetElement(3, 3) - matrix->GetElement(3, 2) * distance);
     divisions.push_back(
@@ -116,6 +116,16 @@ bool IsMoving(vtkRenderer* renderer)
 }
 }
 
+vtkBoundingBox VolumeSlices::Medium::GetBox() const
+{
+  vtkBoundingBox box;
+  for (vtkVolume* volume : this->Volumes)
+  {
+    box.AddBounds(volume->GetBounds());
+  }
+  return box;
+}
+
 VolumeSlices::VolumeSlices() = default;
 VolumeSlices::~VolumeSlices() = default;
 
@@ -124,8 +134,8 @@ VolumeSlices* VolumeSlices::GetCurrent()
   return current;
 }
 
-void VolumeSlices::Draw(
-  vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw)
+void VolumeSlices::Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes,
+  const std::vector<Medium>& media, const Drawer& draw)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   vtkOpenGLState* state = window->GetState();
@@ -146,9 +156,7 @@ void VolumeSlices::Draw(
     this->Depth.Copy(window, this->Viewport);
     this->Source = this->Depth.GetTexture();
   }
-  this->Spanned = VolumeSpans::AreWorthwhile(renderer, volumes)
-    ? this->Spans.Draw(renderer, volumes, this->Viewport)
-    : nullptr;
+  this->FindSpans(renderer, media);
   this->Light.Begin(window, this->Viewport, 2); // clears
   this->Light.End(window);
   this->DrawSlices(renderer, volumes, draw);
@@ -166,6 +174,26 @@ void VolumeSlices::Draw(
   }
 }
 
+// Splats say where they are in their boxes.
+void VolumeSlices::FindSpans(vtkRenderer* renderer, const std::vector<Medium>& media)
+{
+  const Span span = OverlapOf(renderer->GetActiveCamera(), media);
+  this->Overlap = { span.Near, span.Far };
+  DepthTiles tiles(renderer, this->Viewport);
+  std::vector<VolumeSpans::Box> boxes;
+  bool anyTiles = false;
+  for (const Medium& medium : media)
+  {
+    const bool added = medium.AddTo && medium.AddTo(renderer, medium.Volumes.front(), tiles);
+    boxes.push_back({ medium.GetBox(), added });
+    anyTiles = anyTiles || added;
+  }
+  const bool areWorthwhile = VolumeSpans::AreWorthwhile(renderer, boxes) ||
+    (anyTiles && tiles.GetFilling(span.Near, span.Far) < 0.5);
+  this->Spanned =
+    areWorthwhile ? this->Spans.Draw(renderer, boxes, tiles, this->Viewport) : nullptr;
+}
+
 // From front to back. Without a peel two slices are drawn at once, as the two ranges of a peel.
 // Rays that lie in one volume at a time are drawn in the first and the last slice, of all depths
 // (SliceRanges); the others have only what is between their planes.
@@ -173,8 +201,8 @@ void VolumeSlices::DrawSlices(
   vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  const std::vector<Division> ends = Divide(renderer,
-    OverlapOf(renderer->GetActiveCamera(), volumes), IsMoving(renderer) ? Count / 4 : Count);
+  const std::vector<Division> ends =
+    Divide(renderer, this->Overlap, IsMoving(renderer) ? Count / 4 : Count);
   const std::size_t step = this->Peeled ? 1 : 2, last = ends.size() - 1;
   for (std::size_t i = 0; i < last; i += step)
   {

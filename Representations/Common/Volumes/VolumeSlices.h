@@ -12,10 +12,12 @@
 #ifndef nephoscope_VolumeSlices_h
 #define nephoscope_VolumeSlices_h
 
+#include "DepthTiles.h"
 #include "FloatAccumulation.h"
 #include "OpaqueDepth.h"
 #include "VolumePeel.h"
 #include "VolumeSpans.h"
+#include "vtkBoundingBox.h"
 #include "vtkNephoscopeRepresentationsCommonModule.h" // for export macro
 #include "vtkNew.h"
 
@@ -43,13 +45,22 @@ public:
   VolumeSlices& operator=(const VolumeSlices&) = delete;
 
   using Drawer = std::function<void(vtkRenderer*, vtkVolume*)>;
+  /** Volumes that are drawn as one. */
+  struct Medium
+  {
+    std::vector<vtkVolume*> Volumes;
+    std::function<bool(vtkRenderer*, vtkVolume*, DepthTiles&)> AddTo; ///< VolumeOrder::Part
+
+    vtkBoundingBox GetBox() const;
+  };
   /**
    * Where the boxes of two volumes overlap there are so many slices; a quarter of them while the
    * camera moves.
    */
   static constexpr int Count = 32;
 
-  void Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw);
+  void Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes,
+    const std::vector<Medium>& media, const Drawer& draw);
 
   /** Those that are being drawn; null where there are none. */
   static VolumeSlices* GetCurrent();
@@ -71,6 +82,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  void FindSpans(vtkRenderer* renderer, const std::vector<Medium>& media);
   void DrawSlices(
     vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw);
   void Lay(vtkOpenGLRenderWindow* window);
@@ -82,7 +94,8 @@ private:
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
   vtkTextureObject* Source = nullptr;             // ranges of the pass, or the opaque depth
   VolumeSpans Spans;
-  vtkTextureObject* Spanned = nullptr; // null: rays are divided all the way
+  vtkTextureObject* Spanned = nullptr;      // null: rays are divided all the way
+  std::array<double, 2> Overlap = { 0, 0 }; // distances between which media overlap
   bool Peeled = false;
   int Viewport[4] = { 0, 0, 0, 0 };
   float Slice[4] = { 0, 1, 0, 1 }; // depths, near and far, of a pair

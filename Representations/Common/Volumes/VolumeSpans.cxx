@@ -17,7 +17,6 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtkVolume.h"
 
 #include <algorithm>
 #include <array>
@@ -56,14 +55,15 @@ struct Boxes
 {
   using Corner = std::array<float, 3>;
   std::vector<Corner> Low, High;
+  std::vector<int> InTiles;
   vtkNew<vtkMatrix4x4> ToWorld;
 
-  explicit Boxes(const std::vector<vtkVolume*>& volumes)
+  explicit Boxes(const std::vector<VolumeSpans::Box>& boxes)
   {
     vtkBoundingBox all;
-    for (vtkVolume* volume : volumes)
+    for (const VolumeSpans::Box& box : boxes)
     {
-      all.AddBounds(volume->GetBounds());
+      all.AddBox(box.Bounds);
     }
     double middle[3];
     all.GetCenter(middle);
@@ -73,9 +73,10 @@ struct Boxes
       this->ToWorld->SetElement(axis, axis, half);
       this->ToWorld->SetElement(axis, 3, middle[axis]);
     }
-    for (vtkVolume* volume : volumes)
+    for (const VolumeSpans::Box& box : boxes)
     {
-      const double* bounds = volume->GetBounds();
+      double bounds[6];
+      box.Bounds.GetBounds(bounds);
       Corner low, high;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
@@ -84,6 +85,7 @@ struct Boxes
       }
       this->Low.push_back(low);
       this->High.push_back(high);
+      this->InTiles.push_back(box.InTiles ? 1 : 0);
     }
   }
 
@@ -105,6 +107,7 @@ struct Boxes
     };
     program->SetUniform3fv("lowCorners", count, triples(this->Low));
     program->SetUniform3fv("highCorners", count, triples(this->High));
+    program->SetUniform1iv("inTiles", count, this->InTiles.data());
   }
 };
 }
@@ -112,30 +115,34 @@ struct Boxes
 VolumeSpans::VolumeSpans() = default;
 VolumeSpans::~VolumeSpans() = default;
 
-bool VolumeSpans::AreWorthwhile(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes)
+bool VolumeSpans::AreWorthwhile(vtkRenderer* renderer, const std::vector<Box>& boxes)
 {
   vtkMatrix4x4* toDevice = renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
     renderer->GetTiledAspectRatio(), -1, 1);
   vtkBoundingBox all;
   double shared = 0;
-  for (std::size_t i = 0; i < volumes.size(); ++i)
+  for (std::size_t i = 0; i < boxes.size(); ++i)
   {
-    all.AddBounds(volumes[i]->GetBounds());
+    all.AddBox(boxes[i].Bounds);
     for (std::size_t j = 0; j < i; ++j)
     {
-      vtkBoundingBox both(volumes[i]->GetBounds());
-      if (both.IntersectBox(vtkBoundingBox(volumes[j]->GetBounds())))
+      vtkBoundingBox both(boxes[i].Bounds);
+      if (both.IntersectBox(boxes[j].Bounds))
       {
         shared += AreaOf(both, toDevice);
       }
     }
   }
-  return volumes.size() <= Most && shared < 0.5 * AreaOf(all, toDevice);
+  return shared < 0.5 * AreaOf(all, toDevice);
 }
 
-vtkTextureObject* VolumeSpans::Draw(
-  vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const int viewport[4])
+vtkTextureObject* VolumeSpans::Draw(vtkRenderer* renderer, const std::vector<Box>& boxes,
+  const DepthTiles& tiles, const int viewport[4])
 {
+  if (boxes.size() > Most)
+  {
+    return nullptr;
+  }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const std::string most = "#define MOST_BOXES " + std::to_string(Most) + "\n";
   std::string fragment = SliceSpansFragment;
@@ -150,10 +157,18 @@ vtkTextureObject* VolumeSpans::Draw(
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_BLEND);
-  Boxes(volumes).SetUniforms(program, renderer);
+  Boxes(boxes).SetUniforms(program, renderer);
+  std::vector<std::array<float, 2>> ranges = tiles.GetRanges(); // the texture takes what may change
+  this->Tiles->SetContext(window);
+  this->Tiles->Create2DFromRaw(static_cast<unsigned int>(tiles.GetWidth()),
+    static_cast<unsigned int>(tiles.GetHeight()), 2, VTK_FLOAT, ranges.data());
+  this->Tiles->Activate();
+  program->SetUniformi("tiles", this->Tiles->GetTextureUnit());
+  program->SetUniformi("sideOfTiles", DepthTiles::Side);
   const float size[2] = { float(viewport[2]), float(viewport[3]) };
   program->SetUniform2f("sizeOfViewport", size);
   DrawWholeViewport(this->VertexArray);
+  this->Tiles->Deactivate();
   this->Image.End(window);
   return this->Image.GetTexture(0);
 }
@@ -161,6 +176,7 @@ vtkTextureObject* VolumeSpans::Draw(
 void VolumeSpans::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Image.ReleaseGraphicsResources(window);
+  this->Tiles->ReleaseGraphicsResources(window);
   this->VertexArray->ReleaseGraphicsResources();
 }
 

@@ -7,7 +7,9 @@
 #ifndef nephoscope_VolumeSpans_h
 #define nephoscope_VolumeSpans_h
 
+#include "DepthTiles.h"
 #include "FloatAccumulation.h"
+#include "vtkBoundingBox.h"
 #include "vtkNew.h"
 
 #include <cstddef>
@@ -16,7 +18,6 @@
 class vtkOpenGLVertexArrayObject;
 class vtkRenderer;
 class vtkTextureObject;
-class vtkVolume;
 class vtkWindow;
 
 namespace nephoscope
@@ -30,21 +31,29 @@ public:
   VolumeSpans(const VolumeSpans&) = delete;
   VolumeSpans& operator=(const VolumeSpans&) = delete;
 
-  /** With more volumes than this every ray is drawn in slices all the way. */
+  /** With more boxes than this every ray is drawn in slices all the way. */
   static constexpr std::size_t Most = 16;
 
+  /** Around a medium, which is anywhere in it or, with InTiles, between the depths of DepthTiles.
+   */
+  struct Box
+  {
+    vtkBoundingBox Bounds;
+    bool InTiles = false;
+  };
   /**
-   * Whether much of what the volumes cover is covered by one at a time: otherwise it is quicker to
+   * Whether much of what the boxes cover is covered by one at a time: otherwise it is quicker to
    * draw all rays in slices.
    */
-  static bool AreWorthwhile(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes);
+  static bool AreWorthwhile(vtkRenderer* renderer, const std::vector<Box>& boxes);
   /** Near and far depth in a texture of the viewport's size; null if there is none. */
-  vtkTextureObject* Draw(
-    vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const int viewport[4]);
+  vtkTextureObject* Draw(vtkRenderer* renderer, const std::vector<Box>& boxes,
+    const DepthTiles& tiles, const int viewport[4]);
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   FloatAccumulation Image;
+  vtkNew<vtkTextureObject> Tiles;
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SplatRanges.h"
 
+#include "DepthTiles.h"
 #include "SplatKernel.h"
 #include "SplatPass.h"
 #include "SplatReach.h"
@@ -62,6 +63,17 @@ double FindLargestSlope(vtkMatrix4x4* viewToDevice)
     sum += slope * slope;
   }
   return std::sqrt(sum);
+}
+
+// How far any item reaches from its place, in view coordinates.
+double LargestReach(
+  const SortedSplats& splats, const SplatMatrix& toView, const SplatDrawingOptions& options)
+{
+  const double kernel = KernelRadius(options.Kernel);
+  const VectorLook look = { options.Segments, options.VectorUnit, options.StreakPeriod,
+    options.SegmentLength };
+  const double ofVectors = options.Vectors ? VectorReach(look, kernel, splats.LongestEdge) : 0.0;
+  return LargestStretch(toView) * std::max(kernel * splats.LongestEdge, ofVectors);
 }
 }
 
@@ -130,6 +142,22 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
   options.CloserSplats = within(std::max(PointDistance(reach), FirstOrderDistance(reach)));
 }
 
+void AddSplats(const SortedSplats& splats, const SceneView& view,
+  const SplatDrawingOptions& options, DepthTiles& tiles)
+{
+  const vtkMatrix4x4* toView = view.ModelToView;
+  const double reach = LargestReach(splats, ToViewMatrix(view), options);
+  for (const std::int32_t item : splats.Items)
+  {
+    const std::array<float, 3>& place = splats.Places[static_cast<std::size_t>(item)];
+    const auto row = [&](int i) {
+      return toView->GetElement(i, 0) * place[0] + toView->GetElement(i, 1) * place[1] +
+        toView->GetElement(i, 2) * place[2] + toView->GetElement(i, 3);
+    };
+    tiles.Add({ { row(0), row(1), row(2) } }, reach);
+  }
+}
+
 void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
   const std::array<double, 2>& distances, SplatDrawingOptions& options)
 {
@@ -140,11 +168,7 @@ void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
   }
   const SplatMatrix toView = ToViewMatrix(view);
   const SplatMetric metric = MetricOf(toView);
-  const double kernel = KernelRadius(options.Kernel);
-  const VectorLook look = { options.Segments, options.VectorUnit, options.StreakPeriod,
-    options.SegmentLength };
-  const double ofVectors = options.Vectors ? VectorReach(look, kernel, splats.LongestEdge) : 0.0;
-  const double reach = LargestStretch(toView) * std::max(kernel * splats.LongestEdge, ofVectors);
+  const double reach = LargestReach(splats, toView, options);
   const double slope = FindLargestSlope(view.ViewToDevice);
   const auto within = [&](double distance) {
     return distance > 0

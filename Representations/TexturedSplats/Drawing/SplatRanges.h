@@ -19,6 +19,8 @@ namespace nephoscope
 {
 
 struct SceneView;
+class DepthTiles;
+class DepthTiles;
 struct SplatDrawingOptions;
 struct SplatSamples;
 
@@ -100,6 +102,10 @@ struct SortedSplats
  */
 void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, const SceneView& view,
   const int pixels[2], SplatDrawingOptions& options);
+
+/** Adds the drawn items to tiles. */
+void AddSplats(const SortedSplats& splats, const SceneView& view,
+  const SplatDrawingOptions& options, DepthTiles& tiles);
 
 /** Sets which part of the order may be seen between two distances from the eye's plane. */
 void FindSplatsBetween(const SortedSplats& splats, const SceneView& view,
