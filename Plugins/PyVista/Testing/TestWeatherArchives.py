@@ -148,6 +148,25 @@ class TestWeatherArchives(unittest.TestCase):
             data.nephoscope.globe()
         self.assertEqual(data.isel(half_levels=0).nephoscope.globe().dimensions[2], 1)
 
+    def test_names_of_netcdf_java(self):
+        """As THREDDS servers and MetPy's data give the variables of GRIB files: the words of GRIB's tables, and the kind of level."""
+        data = on_pressures({"units": "hPa"}, name="isobaric", t="Temperature_isobaric", gh="Geopotential_height_isobaric", u="u-component_of_wind_isobaric", v="v-component_of_wind_isobaric")
+        data = data.assign({name: (data["Temperature_isobaric"].dims, np.full(data["Temperature_isobaric"].shape, value), {"units": units})
+                            for name, value, units in (("Cloud_mixing_ratio_isobaric", 1e-4, "kg/kg"), ("Ice_water_mixing_ratio_isobaric", 2e-4, "kg/kg"), ("Rain_mixing_ratio_isobaric", 3e-4, "kg/kg"),
+                                                       ("Snow_mixing_ratio_isobaric", 4e-4, "kg/kg"), ("Graupel_snow_pellets_isobaric", 5e-4, "kg/kg"), ("Relative_humidity_isobaric", 50.0, "%"),
+                                                       ("Specific_humidity_isobaric", 1e-3, "kg/kg"), ("Vertical_velocity_geometric_isobaric", 0.1, "m/s"))})
+        data["Land_cover_0__sea_1__land_surface"] = ("lat", "lon"), np.ones(EAST.shape), {"units": ""}
+        roles = {"temperature": "Temperature", "geopotential_height": "Geopotential_height", "u": "u-component_of_wind", "v": "v-component_of_wind", "w": "Vertical_velocity_geometric",
+                 "cloud_water": "Cloud_mixing_ratio", "cloud_ice": "Ice_water_mixing_ratio", "rain": "Rain_mixing_ratio", "snow": "Snow_mixing_ratio", "graupel": "Graupel_snow_pellets",
+                 "relative_humidity": "Relative_humidity", "specific_humidity": "Specific_humidity"}
+        for cover in ("Total_cloud_cover", "Cloud_cover", "Fraction_of_cloud_cover"):
+            with_cover = data.assign({f"{cover}_isobaric": (data["Temperature_isobaric"].dims, np.full(data["Temperature_isobaric"].shape, 40.0), {"units": "%"})})
+            found = with_cover.nephoscope._reading(None, {}).roles
+            for role, name in {**roles, "cloud_fraction": cover}.items():
+                self.assertEqual(found.get(role), f"{name}_isobaric", role)
+            self.assertEqual(found.get("land"), "Land_cover_0__sea_1__land_surface")
+            self.assertEqual(with_cover.nephoscope._of_field("cc", None, {})[0], f"{cover}_isobaric")
+
     def test_a_variable_on_other_levels(self):
         """Cloud water on fewer pressure levels than the temperature is drawn on its own."""
         data = on_pressures({"units": "hPa"})

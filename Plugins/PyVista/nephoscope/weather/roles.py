@@ -39,19 +39,19 @@ FIELDS = [
     _role("u", "wind along x", "speed", "eastward_wind x_wind grid_eastward_wind eastward_sea_water_velocity sea_water_x_velocity", "u", "u ua uwnd ugrd u-component_of_wind u_component_of_wind eastward_wind ureconstructzonal u_wind uu x_wind wind_east uo uvel vozocrtx ubar u10 10u u10m"),
     _role("v", "wind along y", "speed", "northward_wind y_wind grid_northward_wind northward_sea_water_velocity sea_water_y_velocity", "v", "v va vwnd vgrd v-component_of_wind v_component_of_wind northward_wind ureconstructmeridional v_wind vv y_wind wind_north vo vvel vomecrty vbar v10 10v v10m"),
     _role("w", "vertical wind", "speed,omega", "upward_air_velocity lagrangian_tendency_of_air_pressure", "w wz omega",
-          "w wa wap omega vvel dzdt vertical_velocity vertical_velocity_pressure upward_air_velocity ww"),
+          "w wa wap omega vvel dzdt vertical_velocity vertical_velocity_pressure vertical_velocity_geometric upward_air_velocity ww"),
     _role("specific_humidity", "specific humidity", "mass fraction", "specific_humidity", "q", "q hus qv spfh shum specific_humidity"),
     _role("mixing_ratio", "water vapour mixing ratio", "mass fraction", "humidity_mixing_ratio", "mixr", "qvapor mixr mixing_ratio rv"),
     _role("relative_humidity", "relative humidity", "fraction", "relative_humidity", "r", "r rh hur relhum relative_humidity"),
     _role("cloud_fraction", "cloud fraction", "fraction", "cloud_area_fraction_in_atmosphere_layer cloud_area_fraction cloud_volume_fraction_in_atmosphere_layer cloud_fraction_for_radiation", "cc tcc ccl",
-          "cc cl clc cldfra cloud_fraction cloud fcloud cfrac tcdc fraction_of_cloud_cover cld_amt"),
+          "cc cl clc cldfra cloud_fraction cloud fcloud cfrac tcdc fraction_of_cloud_cover cld_amt cloud_cover total_cloud_cover"),
     _role("cloud_water", "cloud liquid water", "mass fraction", "mass_fraction_of_cloud_liquid_water_in_air mass_fraction_of_cloud_liquid_water cloud_liquid_water_mixing_ratio specific_cloud_liquid_water_content", "clwc clwmr qc",
           "clwc clw qc qcloud cldliq clwmr ql cloud_mixing_ratio specific_cloud_liquid_water_content"),
     _role("cloud_ice", "cloud ice", "mass fraction", "mass_fraction_of_cloud_ice_in_air mass_fraction_of_cloud_ice_water cloud_ice_mixing_ratio specific_cloud_ice_water_content", "ciwc icmr qi",
           "ciwc cli qi qice cldice icmr ice_water_mixing_ratio specific_cloud_ice_water_content"),
     _role("rain", "rain", "mass fraction", "mass_fraction_of_rain_in_air rain_mixing_ratio", "crwc rwmr qr", "crwc qr qrain rwmr rain_mixing_ratio specific_rain_water_content"),
     _role("snow", "snow", "mass fraction", "mass_fraction_of_snow_in_air snow_mixing_ratio", "cswc snmr qs", "cswc qs qsnow snmr snow_mixing_ratio specific_snow_water_content"),
-    _role("graupel", "graupel", "mass fraction", "mass_fraction_of_graupel_in_air", "grle qg", "qg qgraup qgraupel grle"),
+    _role("graupel", "graupel", "mass fraction", "mass_fraction_of_graupel_in_air", "grle qg", "qg qgraup qgraupel grle graupel_snow_pellets"),
 ]
 # On the ground.
 SURFACE = [
@@ -59,7 +59,7 @@ SURFACE = [
     _role("log_surface_pressure", "logarithm of the pressure at the ground", "log pressure", "", "lnsp", "lnsp"),
     _role("terrain", "height of the ground", "height", "surface_altitude height_above_mean_sea_level", "orog h HSURF mterh", "orog oro hgt hsurf hgtsfc hsfc hgt_surface zsfc topography_c zs zsurf ter topo orography surface_altitude topography geopotential_height_surface"),
     _role("surface_geopotential", "geopotential of the ground", "geopotential", "surface_geopotential geopotential", "z", "z phis fis z_sfc geosp geopotential_at_surface surface_geopotential geopotential_at"),
-    _role("land", "land fraction", "fraction", "land_binary_mask land_area_fraction", "lsm", "lsm landmask land_area_fraction sftlf fr_land landfrac land land_binary_mask"),
+    _role("land", "land fraction", "fraction", "land_binary_mask land_area_fraction", "lsm", "lsm landmask land_area_fraction sftlf fr_land landfrac land land_binary_mask land_cover_0__sea_1__land"),
 ]
 ROLES = {role.name: role for role in FIELDS + SURFACE}
 _OF_LEVELS = re.compile(r"_(isobaric|hybrid\d*|sigma|height_above_ground|pl|ml|pressure|surface|gds\d+_\w+|p\d+_l\d+_g\w+)$")
