@@ -81,6 +81,7 @@ class Clicks(unittest.TestCase):
             part["a"] = np.full(part.n_points, value)
             actor = nephoscope.add_cells(self.plotter, part, clim=(0, 4), show_scalar_bar=False)
             self.actors = [*getattr(self, "actors", []), actor]
+        self.plotter.set_background("black")
         self.plotter.view_xy()
         self.plotter.show(auto_close=False)
 
@@ -110,6 +111,7 @@ class Clicks(unittest.TestCase):
         nephoscope.enable_picking(self.plotter)
         self.click(30, 30)
         self.assertRegex(self.plotter.actors["picked"].GetText(2), r"^3 at \(.*\), cell \d+$")
+        self.assertEqual(self.plotter.actors["picked"].GetTextProperty().GetColor(), (1, 1, 1))  # on black
 
     def test_ends_and_replaces(self):
         first, second = [], []
@@ -126,6 +128,25 @@ class Clicks(unittest.TestCase):
         nephoscope.enable_picking(self.plotter, second.append)
         self.plotter.close()
         nephoscope.disable_picking(self.plotter)
+
+    def test_a_view_with_splats_only(self):
+        """It says what can be picked: once as a warning, and in the window if this shows what is picked."""
+        for actor in self.actors:
+            nephoscope.add_splats(self.plotter, actor.mapper.dataset, show_scalar_bar=False)
+            actor.SetVisibility(False)
+        for callback, shown in ((print, False), (None, True)):
+            nephoscope.enable_picking(self.plotter, callback)
+            with self.assertWarnsRegex(UserWarning, "nothing to pick in this view: a click picks in the visible volumes of add_cells") as told:
+                self.click(30, 30)
+                self.click(20, 30)
+            self.assertEqual([one.filename for one in told.warnings], [__file__])
+            self.assertEqual("picked" in self.plotter.actors, shown)
+        self.assertIn("volumes of add_cells", " ".join(self.plotter.actors["picked"].GetText(2).split()))
+        self.actors[0].SetVisibility(True)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.click(30, 30)
+        self.assertRegex(self.plotter.actors["picked"].GetText(2), "^1 at ")
 
     def test_wrong_arguments(self):
         with self.assertRaisesRegex(TypeError, "plotter is a int"):

@@ -4,13 +4,20 @@
 from __future__ import annotations
 
 import math
+import os
+import textwrap
+import warnings
 from typing import Any, Callable, NamedTuple
 from weakref import WeakKeyDictionary
 
 import pyvista
 
 from . import vtkCellCompositingMapper
-from ._medium import require_plotter
+from ._medium import require_plotter, text_colour
+from ._pipeline import level_of_caller
+
+NOTHING_TO_PICK = ("There is nothing to pick in this view: a click picks in the visible volumes of add_cells that have pickable=True. To pick in splats, draw their data by add_cells. "
+                   "To pick on surfaces, call plotter.enable_point_picking().")
 
 _observers: WeakKeyDictionary = WeakKeyDictionary()  # of a plotter: the numbers of its observers, by side
 
@@ -26,7 +33,7 @@ class Picked(NamedTuple):
 
 
 def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] | None = None, *, side: str = "left") -> None:
-    """Pick with a click what is visible in the volumes of `add_cells`: the medium, or a contour surface.
+    """Pick with a click what is visible in the volumes of `add_cells`: the medium, or a contour surface. Splats and surfaces are not picked.
 
     The position is where the accumulated opacity along the ray reaches that of ``mapper.SetPickOpacity``, 0.1 by default. If several volumes are
     visible, the nearest position counts. Behind an opaque surface nothing is picked, nor are volumes with ``pickable=False``. Dragging still turns the view.
@@ -49,6 +56,11 @@ def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] |
     ValueError
         If `side` is neither of the two.
 
+    Warns
+    -----
+    UserWarning
+        At the first click into a view without volumes of `add_cells`, for example one with splats only. By default the window shows these words.
+
     Examples
     --------
     >>> nephoscope.enable_picking(plotter, lambda picked: print(picked.cell, picked.scalar))  # doctest: +SKIP
@@ -60,16 +72,30 @@ def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] |
     if side not in events:
         raise ValueError(f"side is {side!r}; it must be 'left' or 'right'.")
 
+    def write(text: str) -> None:
+        plotter.add_text(text, font_size=10, color=text_colour(plotter), name="picked")
+
     def show(picked: Picked) -> None:
         place = ", ".join(f"{x:.5g}" for x in picked.position)
-        plotter.add_text(f"{picked.scalar:.5g} at ({place}), cell {picked.cell}", font_size=10, name="picked")
+        write(f"{picked.scalar:.5g} at ({place}), cell {picked.cell}")
+
+    told: list[str] = []
+
+    def tell_of_nothing() -> None:
+        if callback is None:
+            write("\n".join(textwrap.wrap(NOTHING_TO_PICK, 60)))
+        if not told:
+            told.append(NOTHING_TO_PICK)
+            warnings.warn(NOTHING_TO_PICK, UserWarning, stacklevel=level_of_caller(os.path.dirname(pyvista.__file__)))
 
     def pick(*_: Any) -> None:
         pixel = plotter.iren.interactor.GetEventPosition()
         renderer = plotter.iren.interactor.FindPokedRenderer(*pixel)
         eye = renderer.GetActiveCamera().GetPosition()
-        volumes = list(renderer.GetVolumes())  # Pick makes the collection anew
-        found = [_picked(volume, renderer, pixel) for volume in volumes if volume.GetVisibility() and volume.GetPickable()]
+        volumes = [volume for volume in renderer.GetVolumes() if _can_be_picked(volume)]  # a list, because Pick makes the collection anew
+        if not volumes:
+            tell_of_nothing()
+        found = [_picked(volume, renderer, pixel) for volume in volumes]
         seen = sorted((picked for picked in found if picked), key=lambda picked: math.dist(picked.position, eye))
         if seen:
             (callback or show)(seen[0])
@@ -103,8 +129,12 @@ def disable_picking(plotter: pyvista.Plotter) -> None:
             plotter.iren.remove_observer(observer)
 
 
+def _can_be_picked(volume: Any) -> bool:
+    return bool(isinstance(volume.GetMapper(), vtkCellCompositingMapper) and volume.GetVisibility() and volume.GetPickable())
+
+
 def _picked(volume: Any, renderer: Any, pixel: tuple[int, int]) -> Picked | None:
     mapper = volume.GetMapper()
-    if not isinstance(mapper, vtkCellCompositingMapper) or not mapper.Pick(renderer, *pixel):
+    if not mapper.Pick(renderer, *pixel):
         return None
     return Picked(mapper.GetPickPosition(), mapper.GetPickedCell(), mapper.GetPickedPoint(), mapper.GetPickedScalar(), volume)
