@@ -176,11 +176,11 @@ class FullDisk(Films):
 
 
 class UnreadableSteps(Films):
-    def files(self, ending, damaged):
+    def files(self, ending, damaged, binary=True):
         files = []
         for k in range(COUNT):
             files.append(self.folder / f"step{k}{ending}")
-            (block(k) if ending in (".vti", ".vtk") else block(k).cast_to_unstructured_grid()).save(files[-1])
+            (block(k) if ending in (".vti", ".vtk") else block(k).cast_to_unstructured_grid()).save(files[-1], binary=binary)
             if k in damaged:
                 files[-1].write_bytes(files[-1].read_bytes()[:-700])
         return files
@@ -199,9 +199,9 @@ class UnreadableSteps(Films):
         return [bool(np.abs(one - other).max() < 8) for one, other in zip(frames, frames[1:])]
 
     def test_files_of_meshes(self):
-        for ending in (".vti", ".vtu", ".vtk"):
-            with self.subTest(ending):
-                told = self.watched(self.files(ending, {2}), [2])
+        for ending, binary in ((".vti", True), (".vtu", True), (".vtk", True), (".vtk", False)):
+            with self.subTest(ending, binary=binary):
+                told = self.watched(self.files(ending, {2}, binary), [2])
                 self.assertIn(f"Time step 2 (2) of {self.folder}/step2{ending} cannot be read: Error", told[0])
                 self.assertEqual(self.alike(self.frames()), [False, True, False, False])
 

@@ -206,6 +206,12 @@ class Files(unittest.TestCase):
                     Scene(self.folder / name)
         with self.assertRaisesRegex(ValueError, "no points"):
             self.scene(pyvista.UnstructuredGrid(), "empty.vtu")
+        for binary in (True, False):
+            path = self.folder / "cut.vtk"
+            pyvista.Wavelet().save(path, binary=binary)
+            path.write_bytes(path.read_bytes()[:-700])
+            with self.assertRaisesRegex(ValueError, "cut.vtk cannot be read: Error reading"):
+                Scene(path)
 
 
 class Moving(unittest.TestCase):

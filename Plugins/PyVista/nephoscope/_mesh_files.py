@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import glob
 import logging
+import re
 import warnings
 from pathlib import Path
 from typing import Any, Callable
@@ -16,6 +17,8 @@ from ._blocks import cell_dimension, matching_arrays, named_blocks
 from ._checks import listed
 from ._pipeline import level_of_caller
 from .weather.foreign import ENDINGS
+
+_PART = re.compile("Error reading (ascii|binary|cell|polygons)|Cannot read (point|cell) data")  # what VTK's reader of .vtk files says of one that ends early, and goes on
 
 
 def are_mesh_files(path: Any) -> bool:
@@ -47,12 +50,12 @@ def read_steps(path: str | Path, times: Any) -> tuple[Any, Any]:
 
     def read(time: float) -> Any:
         reader.set_active_time_value(time)
-        return _complete(reader.read)
+        return complete(reader.read)
     read.file = str(path)  # type: ignore[attr-defined]
     return read, steps
 
 
-def _complete(read: Callable[[], Any]) -> Any:
+def complete(read: Callable[[], Any]) -> Any:
     """What `read` returns. OSError if VTK reports errors and it returns nothing, or only a part because a file ends early; the error stands for the reports."""
     mesh, failed, verbosity, disabled = None, None, vtkLogger.GetCurrentVerbosityCutoff(), logging.root.manager.disable
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
@@ -68,7 +71,7 @@ def _complete(read: Callable[[], Any]) -> Any:
         logging.disable(disabled)
     texts = [event.alert for event in told.events] or ([str(failed)] if failed else [])
     nothing = mesh is None or not (mesh.n_blocks if isinstance(mesh, pyvista.MultiBlock) else mesh.n_points)
-    if texts and (nothing or any("Error reading binary data" in text for text in texts)):
+    if texts and (nothing or any(map(_PART.search, texts))):
         raise OSError(texts[0].split("): ", 1)[-1].split("\n")[-1].strip()) from failed
     for one in warned:
         warnings.warn(one.message, one.category, stacklevel=level_of_caller())
@@ -77,7 +80,7 @@ def _complete(read: Callable[[], Any]) -> Any:
 
 def one_volume(mesh: Any, warns: bool) -> Any:
     """The mesh of a file, and the blocks of a mesh as one dataset: those of the highest dimension, so that the boundary patches of a volume are left out."""
-    mesh = _complete(lambda: pyvista.read(mesh)) if isinstance(mesh, Path) else mesh
+    mesh = complete(lambda: pyvista.read(mesh)) if isinstance(mesh, Path) else mesh
     if not isinstance(mesh, pyvista.MultiBlock):
         return mesh
     blocks = [(name, block) for name, block in named_blocks(mesh) if block.n_points]

@@ -13,6 +13,7 @@ from typing import Any, Callable, Iterator
 import pyvista
 
 from ._medium import wrapped
+from ._mesh_files import complete
 from .globe import to_globe
 from .reader import cf_shapes, cf_times, read_cf
 from .sparse import read_vdb
@@ -114,7 +115,7 @@ def _reader(path: Path) -> Callable[[int], Any]:
         return lambda time: read_cf(path, time_step=time)
     if path.suffix.lower() == ".vdb":
         return lambda time: read_vdb(path)
-    return lambda time: pyvista.read(path)
+    return lambda time: complete(lambda: pyvista.read(path))
 
 
 def _unreadable(path: Path, start: bytes, error: Exception) -> str:
