@@ -494,6 +494,19 @@ class Water(unittest.TestCase):
                 warnings.simplefilter("error", RuntimeWarning)
                 smoke.nephoscope.sunlight(sun)
 
+    def test_true_is_a_sun_in_the_south_east(self):
+        """On flat data, as the documentation says; so are the steps that take the light away."""
+        plotter = pyvista.Plotter()
+        usual = len(plotter.renderer.lights)
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            volume = add(plotter, lumps(), sun=True)
+            np.testing.assert_allclose(volume.mapper.dataset.field_data["SunDirection"][0], np.divide((1, -1, 1), 3 ** 0.5))
+            self.assertEqual([light.is_scene_light for light in plotter.renderer.lights], [True])
+            plotter.remove_actor(volume)
+            plotter.remove_all_lights()
+            plotter.enable_lightkit()
+            self.assertEqual([len(plotter.renderer.lights), any(light.is_scene_light for light in plotter.renderer.lights)], [usual, False])
+
     def test_messages_of_plotter_functions_name_no_class(self):
         for sun, kind in (({"direction": (0, 0, -1)}, "warning"), ({"extinction": "no"}, "error"), ({"ice": "no"}, "error")):
             with self.subTest(kind, sun=sun), warnings.catch_warnings(record=True) as caught:

@@ -177,10 +177,12 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
     sun : sequence of 3 float, str, dict or True, optional
         Draws clouds lit by the sun: the direction towards the sun, a date and time in UTC such as ``"2011-10-11 18:30"``, or a dict of
         arguments of `sunlight` and `cloud_optics`: ``{'time': "2011-10-11 18:30", 'liquid': 'QC', 'units': 'g/kg'}``. True: uses the light in `grid`, or computes it with
-        `sunlight` if there is none; for data of xarray on a globe it uses the sun at their time, as ``dataset.nephoscope.plot`` does. Without an array ``Extinction``, ``'extinction'`` names the array that is the extinction coefficient, per unit of length:
+        `sunlight` if there is none; for data of xarray on a globe it uses the sun at their time, as ``dataset.nephoscope.plot`` does, for other data the direction (1, -1, 1): where x
+        points east and y north, the sun is in the south-east, 35 degrees above the horizon. Without an array ``Extinction``, ``'extinction'`` names the array that is the extinction coefficient, per unit of length:
         ``{'direction': (1, 0, 1), 'extinction': 'f'}``; otherwise `cloud_optics` computes it from the water of `grid`. The light then determines `scalars`, opacities and the unit
         distance; `cmap`, `clim` and `opacity_scale` may
-        be given. A light from the sun replaces the lights of the renderer, unless it has scene lights, so that the ground is lit too.
+        be given. A light from the sun replaces the lights of the renderer, unless it has scene lights, so that the ground is lit too. It stays when the volume is removed:
+        ``plotter.remove_all_lights()`` and ``plotter.enable_lightkit()`` bring PyVista's lights back.
     exposure : float, optional
         With `sun`: multiplies the light, > 0. With 1, a light of 0.6 is white. Default: white is 1.1 times the light that 2 % of the
         points in clouds exceed, between 0.15 and 1.2. Set it to compare pictures, and for films in which the sun moves.

@@ -165,7 +165,7 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
         is not changed.
     sun : sequence of 3 float, str, dict or True, optional
         Lights the surface by the sun, given as in `add_cells`. A surface made by `cloud_surface` from lit data carries the array ``Sunlight``, with the shadows of
-        the clouds: True uses it. Otherwise the surface is sunlit, except on the night side of a globe and in the shadows of ``{'clouds': lit_clouds}``. A light
+        the clouds: True uses it. Otherwise True is the direction (1, -1, 1), and the surface is sunlit, except on the night side of a globe and in the shadows of ``{'clouds': lit_clouds}``. A light
         from the sun replaces the lights of the renderer, unless it has scene lights, so that slopes and the ground are lit too.
     exposure, tone_mapping
         As in `add_cells`.

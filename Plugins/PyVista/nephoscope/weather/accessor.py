@@ -286,6 +286,7 @@ class WeatherAccessor:
             Those of `globe` or, for a flat grid, of `grid`, and ``log_scale``, ``contours``, ``layers``, ``preset``, ``sun``, ``exposure``, ``tone_mapping``,
             ``opacity_scale`` and ``opacity_unit_distance`` of `nephoscope.add_cells`. The sun lights all clouds, whatever `scalars` are. On a globe or a map, ``sun=True``
             is the sun at the time of the data. If they have no time, or it is night in their middle, the sun is 45 degrees above the horizon there, with a warning. A map is lit by the sun of its middle.
+            On a flat grid in lengths, ``sun=True`` is the direction (1, -1, 1), as in `add_cells`.
 
         Returns
         -------
