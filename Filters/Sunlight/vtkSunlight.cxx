@@ -21,7 +21,6 @@
 #include "vtkCellDataToPointData.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
-#include "vtkGenericCell.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -133,23 +132,7 @@ bool vtkSunlight::HasExtinction(vtkDataSet* data) const
 // Such as the ground: light reaches it, and goes no further.
 bool vtkSunlight::IsSurfaceBelowClouds(vtkDataSet* data)
 {
-  if (!this->ShadingClouds() || this->HasExtinction(data))
-  {
-    return false;
-  }
-  vtkNew<vtkGenericCell> cell;
-  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
-  {
-    if (i == 0 || data->GetCellType(i) != cell->GetCellType())
-    {
-      cell->SetCellType(data->GetCellType(i));
-    }
-    if (cell->GetCellDimension() == 3)
-    {
-      return false;
-    }
-  }
-  return true;
+  return this->ShadingClouds() && !this->HasExtinction(data) && !nephoscope::HasCellsInSpace(data);
 }
 
 // Irradiance from the sky, which fades with twilight.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Warnings about implausible optical depths, for example because an array is not an extinction
-// coefficient or has another unit of length, and about light through the sides.
+// coefficient or has another unit of length; about data without a depth, and light through the
+// sides.
 #include "vtkSunlight.h"
 
 #include "LightGrid.h"
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace
@@ -104,12 +106,33 @@ double WithOneDigit(double value)
   const double unit = std::pow(10.0, std::floor(std::log10(value)));
   return std::round(value / unit) * unit;
 }
+
+// `fraction` is above one half.
+std::string LightThroughSides(double fraction)
+{
+  if (!std::isfinite(fraction))
+  {
+    return "all sunlight enters there";
+  }
+  const double times = WithOneDigit(fraction);
+  std::ostringstream amount;
+  times > 1 ? amount << times << " times as much"
+            : amount << (times < 1 ? "more than half as much" : "about as much");
+  amount << " sunlight enters there as from above";
+  return amount.str();
+}
 }
 
 void vtkSunlight::WarnOfDepth(vtkDataSet* data, const Work& work)
 {
   const double densest =
     work.Extinction.empty() ? 0 : *std::max_element(work.Extinction.begin(), work.Extinction.end());
+  if (densest > 0 && data->GetNumberOfCells() > 0 && !nephoscope::HasCellsInSpace(data))
+  {
+    vtkWarningMacro(
+      << "The data have an extinction, but no 3-D cells: sunlight crosses no medium on its way, so there are no shadows. Give the data a depth: cells between two layers of points, as an image has that is two points thick.");
+    return;
+  }
   const char* remedy =
     "The extinction is per unit of length of the data: set ExtinctionScale, such as ";
   const double cell = MedianDepth(data, work.Extinction), whole = densest * data->GetLength();
@@ -136,11 +159,8 @@ void vtkSunlight::WarnOfSides(const nephoscope::LightGrid& grid)
   const double fraction = hasRemedy ? FractionThroughSides(grid) : 0;
   if (fraction > much)
   {
-    std::ostringstream amount;
-    amount << WithOneDigit(fraction) << " times as much sunlight enters there as from above";
     vtkWarningMacro(
-      << "Clouds reach the sides of the data, and "
-      << (std::isfinite(fraction) ? amount.str() : "all sunlight enters there")
+      << "Clouds reach the sides of the data, and " << LightThroughSides(fraction)
       << ". The sides are mirrors for diffuse light, which cannot leave, so the light is too bright. "
          "Turn OpenSides on for clouds that end there, or PeriodicSides for clouds that repeat.");
   }

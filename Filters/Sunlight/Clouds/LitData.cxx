@@ -13,9 +13,11 @@
 #include "vtkCharArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkProbeFilter.h"
@@ -163,6 +165,20 @@ std::vector<Place> PlacesOf(vtkDataSet* data)
     data->GetPoint(static_cast<vtkIdType>(i), places[i].data());
   }
   return places;
+}
+
+bool HasCellsInSpace(vtkDataSet* data)
+{
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+  {
+    cell->SetCellType(data->GetCellType(i));
+    if (cell->GetCellDimension() == 3)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 namespace

@@ -34,6 +34,10 @@ std::vector<float> ValuesOf(
   vtkDataSet* data, const std::string& name, double otherwise, double scale, vtkIdType& wrong);
 
 std::vector<Place> PlacesOf(vtkDataSet* data);
+
+/** Whether any cell is three-dimensional. */
+bool HasCellsInSpace(vtkDataSet* data);
+
 /**
  * Ways to the sun; the fields are those that depths are integrals of. `repeats`: the data are the
  * grid of a RepeatedGrid.

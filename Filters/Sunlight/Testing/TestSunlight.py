@@ -328,12 +328,28 @@ class Wrong(unittest.TestCase):
         tall = image((5, 5, 31), (100, 100, 100), lambda x, y, z: 0 * x + 0.02)
         wide = image((31, 31, 5), (100, 100, 100), lambda x, y, z: 0 * x + 0.02)
         alone = image((9, 9, 31), (100, 100, 100), lambda x, y, z: 0.02 * ((np.abs(x - 400) < 350) & (np.abs(y - 400) < 350)))
-        for name, data, sun, told, options in (("tall", tall, (1, 0, 1), "times", {}), ("from -y", tall, (0, -1, 1), "times", {}), ("on the horizon", tall, (1, 0, 0), "all sunlight", {}), ("overhead", tall, (0, 0, 1), "", {}), ("wide", wide, (1, 0, 1), "", {}),
+        for name, data, sun, told, options in (("tall", tall, (1, 0, 1), "and 6 times as much sunlight enters there as from above", {}), ("from -y", tall, (0, -1, 1), "times as much", {}),
+                                               ("as much", tall, (1, 0, 5), "and about as much sunlight", {}), ("less", tall, (1, 0, 9), "and more than half as much sunlight", {}), ("on the horizon", tall, (1, 0, 0), "all sunlight", {}), ("overhead", tall, (0, 0, 1), "", {}), ("wide", wide, (1, 0, 1), "", {}),
                                                ("alone", alone, (1, 0, 1), "", {}), ("periodic", tall, (1, 0, 1), "", {"PeriodicSides": True})):
             with self.subTest(name):
                 found = [message for message in light_of(data, sun, **options)[1] if "reach the sides" in message]
                 self.assertEqual(len(found), int(bool(told)), found)
                 self.assertIn(told, "".join(found))
+
+    def test_data_without_depth(self):
+        """An extinction on surfaces casts no shadow: it is told, however they lie and whatever they are; not that of clear air or of one cell of depth."""
+        some, clear = lambda x, y, z: 0 * x + 0.5, lambda x, y, z: 0 * x
+        curtain = image((5, 1, 5), (1, 1, 1), some)
+        append = vtkAppendFilter()
+        append.AddInputData(curtain)
+        append.Update()
+        for name, data, told in (("flat", image((5, 5, 1), (1, 1, 1), some), True), ("curtain", curtain, True), ("line", image((1, 1, 5), (1, 1, 1), some), True), ("unstructured", append.GetOutput(), True),
+                                 ("clear", image((5, 5, 1), (1, 1, 1), clear), False), ("one cell", image((5, 5, 2), (1, 1, 1), some), False)):
+            with self.subTest(name):
+                output, messages = light_of(data)
+                found = [message for message in messages if "no 3-D cells" in message]
+                self.assertEqual(len(found), int(told), messages)
+                self.assertEqual(output.GetNumberOfPoints(), data.GetNumberOfPoints())
 
     def test_messages(self):
         fine = image((3, 3, 3), (1, 1, 1), lambda x, y, z: 0 * x + 1)

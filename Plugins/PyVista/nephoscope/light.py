@@ -119,7 +119,7 @@ def sunlight(mesh: AnyMesh, direction: Numbers | str | datetime | None = None, *
     -----
     RuntimeWarning
         For negative and missing extinctions, if the sun is below the horizon, for a time without a place, for clouds that reach sunlit sides of a tall mesh without `periodic` and `open_sides`,
-        and if both of these are True.
+        if both of these are True, and for an extinction without 3-D cells, as on an image one point thick, which casts no shadows.
     """
     direction, time = as_time(direction), as_time(time)
     if isinstance(direction, str) and not time:
