@@ -210,6 +210,7 @@ void vtkCloudTextureMapper::RenderPieceStart(vtkRenderer* renderer, vtkActor* ac
 {
   this->PrepareSurface(this->CurrentInput);
   this->PrepareVolume();
+  this->WarnOfPlace();
   this->ChooseWaves();
   this->CurrentInput = this->Internals->Surface.Surface;
   actor->GetProperty()->GetDiffuseColor(this->Internals->SolidColor);

@@ -353,6 +353,7 @@ private:
   void PrepareVolume();
   void UploadVolume(vtkRenderer* renderer);
   void TellVolume(const std::string& error, const std::string& warning);
+  void WarnOfPlace();
   void LeaveOtherWindow(vtkWindow* window);
   void DrawTriangles(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor);
   double GetExtinctionInUse(vtkActor* actor) const;

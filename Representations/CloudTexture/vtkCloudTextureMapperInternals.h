@@ -15,6 +15,7 @@
 #include "ResourceWindow.h"
 #include "TexturedSurface.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -43,6 +44,8 @@ struct vtkCloudTextureMapper::vtkInternals
   std::string LastError, LastWarning, LastThickness, LastWavesError, LastVolume;
   nephoscope::CloudThicknessPass Thickness;
   std::shared_ptr<nephoscope::DensityVolume> Volume; // null: none is used
+  vtkBoundingBox VolumeBounds;
+  bool IsElsewhere = false; // the volume; a warning has said it
   std::tuple<vtkDataObject*, vtkMTimeType, std::string> VolumeMadeFrom{ nullptr, 0, "" };
   nephoscope::KeepPeeling Peels;
   int Drawings = 0; // number of layers for which the shader was generated

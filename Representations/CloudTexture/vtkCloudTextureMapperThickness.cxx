@@ -20,11 +20,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace
 {
 const std::string moreClouds = "In some pixels more clouds lie behind one another than the ";
+
+std::string BoundsText(const vtkBoundingBox& box)
+{
+  std::ostringstream text;
+  text.precision(4);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    text << (axis > 0 ? ", " : "") << "xyz"[axis] << " = " << box.GetBound(2 * axis) << " to "
+         << box.GetBound(2 * axis + 1);
+  }
+  return text.str();
+}
 }
 
 void vtkCloudTextureMapper::SetDensityArrayName(const char* name)
@@ -59,8 +72,30 @@ void vtkCloudTextureMapper::PrepareVolume()
   own.VolumeMadeFrom = key;
   std::string error;
   own.Volume = nephoscope::MakeDensityVolume(data, this->DensityArrayName, error);
+  own.VolumeBounds =
+    own.Volume ? nephoscope::BoundsOf(nephoscope::DataSetsOf(data)) : vtkBoundingBox();
   this->Modified(); // the shader depends on it
   this->TellVolume(error, own.Volume ? own.Volume->Warning : "");
+}
+
+// A volume on a map and a surface on a globe, for example, or one in km and the other in m.
+void vtkCloudTextureMapper::WarnOfPlace()
+{
+  vtkInternals& own = *this->Internals;
+  vtkPolyData* surface = own.Surface.Surface;
+  const vtkBoundingBox clouds = surface && surface->GetNumberOfPoints() > 0
+    ? vtkBoundingBox(surface->GetBounds())
+    : vtkBoundingBox();
+  const bool isElsewhere = own.Volume && clouds.IsValid() && own.VolumeBounds.IsValid() &&
+    !clouds.Intersects(own.VolumeBounds);
+  if (isElsewhere && !own.IsElsewhere)
+  {
+    vtkWarningMacro(
+      << "The density volume is not where the surface is, so the clouds have no density: the surface is at "
+      << BoundsText(clouds) << ", the volume at " << BoundsText(own.VolumeBounds)
+      << ". Give both the same coordinates and the same unit of length, or make the surface from the volume by Cloud Surface.");
+  }
+  own.IsElsewhere = isElsewhere;
 }
 
 void vtkCloudTextureMapper::UploadVolume(vtkRenderer* renderer)

@@ -85,7 +85,7 @@ _NAMES_OF_MAPPERS = {
     "LayerAxis (in ParaView, Layer Axis)": "layer_axis", "set it to -1 (Towards the Eye) to ask for these": "pass layer_axis='eye' to ask for these",
     "give its name with SetCellSizeArrayName, or an empty one for sizes from the data": "name it by sizes or volumes, or leave these out",
     "Raise MaximumNumberOfLayers": "Raise layers", "CoverageArrayName": "coverage",
-    "DensityVolume": "density_volume", "DensityArrayName": "density",
+    "make the surface from the volume by Cloud Surface": "make the surface from the volume by cloud_surface", "DensityVolume": "density_volume", "DensityArrayName": "density",
     "TextureScale": "texture_scale", "TextureLength": "texture_length",
 }
 

@@ -209,6 +209,19 @@ class DensityInSpace(BodyTestCase):
             self.assertIn(words, said[0])
         self.assertEqual(window.gl_errors(), [])
 
+    def test_a_volume_elsewhere(self):
+        """One in other coordinates is told once for each place."""
+        window, _, mapper, _ = self.bodies(box(LOW, HIGH), extinction=1)
+        volumes = [image(np.multiply(scale, (-2, -2, -2)) + shift, np.multiply(scale, (2, 2, 2)) + shift, (3, 3, 3), lambda p: 1 + 0 * p[:, 0]) for scale, shift in ((1, 0), (1, 5), (1000, 9000))]
+        mapper.SetDensityArrayName("density")
+        for volume, count in ((volumes[0], 0), (volumes[1], 1), (volumes[1], 1), (volumes[0], 1), (volumes[2], 2)):
+            mapper.SetDensityVolume(volume)
+            window.render()
+            self.assertEqual(window.rgba()[..., :3].max() > 0, volume is volumes[0])
+            told = window.messages.all
+            self.assertEqual(len(told), count, told)
+        self.assertRegex(told[0], r"not where the surface is.*the surface is at x = .* to .*, the volume at x = 3 to 7, y = 3 to 7, z = 3 to 7\. Give both the same coordinates")
+
 
 class Blocks(BodyTestCase):
     def test_composite(self):
