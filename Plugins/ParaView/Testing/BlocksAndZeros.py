@@ -70,6 +70,40 @@ def check_arrays_of_some(messages):
             check(shown > 1.5 * alone and not messages, f"{representation}: Solid Color draws {shown} pixels, one block {alone}: {messages}")
 
 
+STEPS = """
+times = [0.0, 2.5, 4.0]
+information = self.GetOutputInformation(0)
+information.Set(vtk.vtkStreamingDemandDrivenPipeline.TIME_STEPS(), times, 3)
+information.Set(vtk.vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [times[0], times[-1]], 2)
+information.Set(vtk.vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), [0, 4] * 3, 6)
+"""
+STEP = """
+time = self.GetOutputInformation(0).Get(vtk.vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+self.GetOutput().SetDimensions(5, 5, 5)
+array = vtk.vtkFloatArray()
+array.SetName("other" if time == 2.5 else "a")
+for p in range(125):
+    array.InsertNextValue(p)
+self.GetOutput().GetPointData().AddArray(array)
+self.GetOutput().GetInformation().Set(vtk.vtkDataObject.DATA_TIME_STEP(), time)
+"""
+
+
+def check_step_without_array(messages):
+    """A step of a series that lacks the coloured array is told each time, with its time and what is drawn."""
+    for representation in ("Cell Compositing", "Textured Splats"):
+        series = pvs.ProgrammableSource(OutputDataSetType="vtkImageData", ScriptRequestInformation=STEPS, Script=STEP)
+        view, _, _ = picture(series, representation, ("POINTS", "a"))
+        messages.clear()
+        for time in (0.0, 2.5, 4.0, 2.5):
+            view.ViewTime = time
+            image(view)
+        told = ["no array 'a' at time 2.5: they are drawn in one colour" in one for one in messages]
+        check(told == [True, True], f"{representation}: {messages}")
+        messages.clear()
+        pvs.Delete(view)
+
+
 def check_types():
     """One block has another type: both are drawn."""
     halves = [pvs.Calculator(Input=pvs.ExtractSubset(Input=wavelet(), VOI=[0, 6, 0, CELLS, 0, 6] if i == 0 else [6, CELLS, 0, CELLS, 0, 6]),
@@ -97,7 +131,9 @@ load_plugin()
 pvs._DisableFirstRenderCameraReset()
 check_contour_value()
 check_splats()
-check_arrays_of_some(listen())
+told = listen()
+check_arrays_of_some(told)
+check_step_without_array(told)
 check_types()
 check_no_rain()
 passed()

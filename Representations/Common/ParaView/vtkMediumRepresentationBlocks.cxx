@@ -12,7 +12,23 @@
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 
+#include <sstream>
 #include <string>
+
+namespace
+{
+// Only one time step of several may lack an array.
+std::string AtItsTime(vtkDataObject* data)
+{
+  vtkInformation* info = data ? data->GetInformation() : nullptr;
+  std::ostringstream text;
+  if (info && info->Has(vtkDataObject::DATA_TIME_STEP()))
+  {
+    text << " at time " << info->Get(vtkDataObject::DATA_TIME_STEP());
+  }
+  return text.str();
+}
+}
 
 vtkSmartPointer<vtkDataObject> vtkMediumRepresentation::KeepDrawnBlocks(vtkDataObject* input)
 {
@@ -55,8 +71,9 @@ void vtkMediumRepresentation::WarnOfMissingArray()
   const bool missing = !asked.empty() && this->HasPiece && MinimumOverRanks(here ? 0 : 1) == 1;
   if (missing && this->MissingArray != asked && IsFirstRank())
   {
-    vtkWarningMacro(<< "The data have no array '" << asked
-                    << "': they are drawn in one colour. Choose another one in Coloring.");
+    vtkWarningMacro(<< "The data have no array '" << asked << "'"
+                    << AtItsTime(this->GetInputDataObject(0, 0))
+                    << ": they are drawn in one colour. Choose another one in Coloring.");
   }
   this->MissingArray = missing ? asked : "";
 }
