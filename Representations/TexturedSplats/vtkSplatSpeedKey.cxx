@@ -248,9 +248,11 @@ std::string vtkSplatSpeedKey::Describe(
     arrow = way * pixels;
     const std::string film = NumberText(seconds) + " " + this->FilmUnit;
     text = (unit.empty() ? "speed " : "") + NumberText(speed) + unit + " moves this far (" +
-      (metres ? LengthText(way) : NumberText(way)) + ") in " + film + "\n" +
+      (metres ? LengthText(way * this->LengthUnit) : NumberText(way)) + ") in " + film + "\n" +
       (seconds == 1.0 ? film : "1 " + this->FilmUnit) + " shows " +
-      (metres ? TimeText(passing) : NumberText(passing) + " of the data's time") + "\n";
+      (metres ? TimeText(passing * this->LengthUnit)
+              : NumberText(passing) + " of the data's time") +
+      "\n";
   }
   const char* kind = mapper->GetVectorStyle() == vtkTexturedSplatMapper::SEGMENTS
     ? "longest segments: "
@@ -379,6 +381,7 @@ void vtkSplatSpeedKey::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Volume: " << this->Volume.Get() << "\n";
   os << indent << "SpeedUnit: " << this->SpeedUnit << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "FilmUnit: " << this->FilmUnit << "\n";
   os << indent << "FilmUnitSeconds: " << this->FilmUnitSeconds << "\n";
   os << indent << "AutomaticColor: " << this->AutomaticColor << "\n";

@@ -45,11 +45,20 @@ public:
 
   ///@{
   /**
-   * Unit of the vectors. With "m/s", for data in metres, distances and times have units too, such
-   * as km and h. Default: empty, numbers only.
+   * Unit of the vectors. With "m/s" distances and times have units too, such as km and h, which
+   * LengthUnit determines. Default: empty, numbers only.
    */
   vtkSetMacro(SpeedUnit, std::string);
   vtkGetMacro(SpeedUnit, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * With the SpeedUnit "m/s": length of the data's unit of length in metres, 1000 for data in
+   * kilometres. Default: 1.
+   */
+  vtkSetClampMacro(LengthUnit, double, 1e-30, 1e30);
+  vtkGetMacro(LengthUnit, double);
   ///@}
 
   ///@{
@@ -93,6 +102,7 @@ protected:
   ~vtkSplatSpeedKey() override;
 
   std::string SpeedUnit;
+  double LengthUnit = 1.0;
   std::string FilmUnit = "s of film";
   double FilmUnitSeconds = 1.0;
   bool AutomaticColor = true;

@@ -124,6 +124,11 @@ def check_true_speed(view, display):
     check(changed.any(), "no speed key")
     rows, columns = np.nonzero(changed)
     check(0.1 < columns.min() / changed.shape[1] < 0.4, "the speed key is not beside the axes")
+    metres = image(view)
+    display.TexturedSplatsLengthUnit = 1000
+    check(np.abs(image(view) - metres).max() > 20, "the speed key of kilometres is that of metres")
+    display.TexturedSplatsLengthUnit = 1
+    check_same(metres, image(view), "speed key of metres again")
     display.TexturedSplatsShowSpeedKey = 0
     check_same(moved, image(view), "speed key off again")
     display.TexturedSplatsTrueSpeed = 0

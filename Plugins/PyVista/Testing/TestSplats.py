@@ -100,6 +100,24 @@ class Accepted(Splats):
         mapper = self.add(vectors="wind").mapper
         self.assertEqual((mapper.GetTrueSpeed(), mapper.GetTimeScale(), mapper.GetFilmTime()), (False, 0, 0))
 
+    def test_length_unit(self):
+        """A mesh in kilometres has the time scale and the legend of the same in metres."""
+        words = []
+        for length, unit in ((1000.0, {}), (1.0, {"length_unit": 1000})):
+            mesh = pyvista.ImageData(dimensions=(9, 9, 3), spacing=(length,) * 3)
+            mesh["wind"] = np.tile((10.0, 0, 0), (mesh.n_points, 1))
+            plotter = pyvista.Plotter(off_screen=True, window_size=(300, 300))
+            self.addCleanup(plotter.close)
+            vectors = {"array": "wind", "true_speed": True, "time_scale": 300, "speed_unit": "m/s", **unit}
+            volume = nephoscope.add_splats(plotter, mesh, color="red", vectors=vectors, show_scalar_bar=True)
+            self.assertAlmostEqual(volume.mapper.GetTimeScale(), 300 / unit.get("length_unit", 1))
+            plotter.screenshot(return_img=False)
+            words += [actor.GetText() for actor in plotter.actors.values() if isinstance(actor, nephoscope.vtkSplatSpeedKey)]
+        self.assertEqual(words[0], words[1])
+        self.assertIn("1 s of film shows 5 min", words[0])
+        with self.assertRaisesRegex(ValueError, "vectors\\['length_unit'\\] is 0"):
+            self.add(vectors={"array": "wind", "length_unit": 0})
+
     def test_radius_of_particles(self):
         for kernel in ("cubic", "quadratic", "gaussian"):
             volume = self.add(pyvista.PolyData([(1.0, 2, 3)]), None, color="white", radius=0.5, kernel=kernel)

@@ -69,6 +69,7 @@ class VectorOptions(TypedDict, total=False):
     film_time: float
     speed_key: bool | None
     speed_unit: str | None
+    length_unit: float
 
 
 class LevelOfDetailOptions(TypedDict, total=False):

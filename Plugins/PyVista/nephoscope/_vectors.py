@@ -73,6 +73,7 @@ class Vectors:
     film_time: float | None = None
     speed_key: bool | None = None
     speed_unit: str | None = None
+    length_unit: float = 1.0
 
     def __post_init__(self) -> None:
         self.table: pyvista.LookupTable | None = None  # range of the colours from `scalars`, found when applied
@@ -103,10 +104,11 @@ class Vectors:
 
     def _apply_speed(self, mapper: Any) -> None:
         mapper.SetTrueSpeed(bool(self.true_speed))
+        length = self._number("length_unit", above=0)
         if not self.true_speed and (self.time_scale is not None or self.film_time not in (None, 0)):
             raise ValueError("vectors has the option 'time_scale' or 'film_time', but true_speed is not True.")
         if self.time_scale is not None:
-            mapper.SetTimeScale(self._number("time_scale", above=0))
+            mapper.SetTimeScale(self._number("time_scale", above=0) / length)
         if self.film_time is not None:
             mapper.film_time = self._number("film_time")
 
@@ -190,6 +192,7 @@ class Vectors:
         key = vtkSplatSpeedKey()
         key.SetVolume(volume)
         key.SetSpeedUnit(("m/s" if self.array == "DisplayVelocity" else "") if self.speed_unit is None else str(self.speed_unit))
+        key.SetLengthUnit(self.length_unit)
         plotter.add_actor(key, name=f"{getattr(volume, 'name', '') or 'splats'}-speed-key", reset_camera=False, pickable=False, render=False)
 
     def _require_vectors(self, mesh: pyvista.DataSet, association: str) -> None:

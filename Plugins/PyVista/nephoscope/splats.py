@@ -209,14 +209,16 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
         - ``true_speed``, default False: patterns move at the speed of their vectors, by length of the vector * ``time_scale`` *
           ``volume.mapper.film_time``, instead of through a loop. ``phase`` and ``phase_cycles`` have no effect then.
         - ``time_scale``: with ``true_speed``, time in the data per second of the film, in the time unit of the vectors, > 0: 3600 is
-          an hour for vectors in metres per second on a mesh in metres. Default: a round number for which the fastest patterns move by at most
+          an hour for vectors in metres per second on a mesh in metres, or in another unit that ``length_unit`` gives. Default: a round number for which the fastest patterns move by at most
           one period in a second; in a renderer the smallest of all volumes with ``true_speed``, so that their speeds are comparable.
         - ``film_time``, default 0.0: with ``true_speed``, seconds since the start of the film. Change it with ``volume.mapper.film_time``; `animate` does, unless
           you set it.
         - ``speed_key``: legend of the motion: an arrow as long as the distance that a stated speed covers in a second of the film, the time
           in the data per second, and the speed of the fastest streaks or the longest segments. Keys of several volumes are placed one above the other. Default: with ``true_speed``, if the theme shows scalar bars.
-        - ``speed_unit``: unit of the vectors in the legend. With ``"m/s"``, for a mesh in metres, distances and times have units too. Default:
+        - ``speed_unit``: unit of the vectors in the legend. With ``"m/s"`` distances and times have units too. Default:
           ``"m/s"`` for ``DisplayVelocity``, the winds of a globe, otherwise none.
+        - ``length_unit``, default 1.0: unit of length of the mesh, in that of the vectors, > 0: 1000 for vectors in metres per second on a mesh in kilometres. The
+          legend and ``time_scale`` are in the units of the vectors then. A mesh in degrees has no such unit; 1.11e5 is that of latitudes.
         - ``phase_cycles``, default 4: number of periods by which the fastest pattern moves in a loop, 1 to 1000.
         - ``phase_steps``, default 0: number of positions of the pattern along its period, 0 to 1000. 0: continuous, for smooth motion; 16: as in
           the stored textures of 1993.

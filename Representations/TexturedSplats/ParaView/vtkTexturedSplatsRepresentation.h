@@ -153,11 +153,12 @@ public:
 
   ///@{
   /**
-   * The legend of the motion, vtkSplatSpeedKey, and the unit of the vectors in it. Default: off,
-   * none.
+   * The legend of the motion, vtkSplatSpeedKey, the unit of the vectors in it, and the metres in a
+   * unit of length of the data. Default: off, none, 1.
    */
   void SetShowSpeedKey(bool show) { this->SpeedKey->SetVisibility(show); }
   void SetSpeedUnit(const char* unit) { this->SpeedKey->SetSpeedUnit(unit ? unit : ""); }
+  void SetLengthUnit(double metres) { this->SpeedKey->SetLengthUnit(metres); }
   ///@}
 
 protected:

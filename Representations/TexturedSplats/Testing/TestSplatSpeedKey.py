@@ -73,6 +73,15 @@ class Key(unittest.TestCase):
         self.volume.GetMapper().TrueSpeedOff()
         self.assertEqual(self.text(key), "longest segments: 12 m/s")
 
+    def test_data_in_another_unit(self):
+        """The same with a hundred times the length, in units of 100 m."""
+        key = self.scene(TimeScale=3.0)
+        key.SetSpeedUnit("m/s")
+        key.SetLengthUnit(100.0)
+        self.assertEqual(self.text(key), "10 m/s moves this far (300 km) in 100 s of film\n1 s of film shows 5 min\nfastest streaks: 20 m/s")
+        key.SetSpeedUnit("")
+        self.assertIn("(3000)", self.text(key))
+
     def test_film_in_another_unit(self):
         key = self.scene(TimeScale=300.0)
         key.SetSpeedUnit("m/s")
