@@ -131,6 +131,18 @@ def check_moves_with_time():
     pvs.Delete(texture)
 
 
+def check_moving_camera():
+    """Data beyond the threshold of level of detail are drawn whole while the camera moves."""
+    view = new_view((200, 200))
+    compose(pvs.Sphere(ThetaResolution=60, PhiResolution=60), view, ("POINTS", ""), CLOUDS)
+    look(view, (2, 1, 2))
+    view.LODThreshold = 0
+    still = image(view)
+    view.UseInteractiveRenderingForScreenshots = 1
+    check_same(still, image(view), "while the camera moves", largest=1, mean=0.01)
+    check(still.mean() > 5, "nothing is drawn")
+
+
 def check_threshold_and_waves():
     """The cover of a threshold; waves that are set, as stripes; the colours of the texture."""
     view = sheet_view()
@@ -292,7 +304,7 @@ def check_colors():
 if __name__ == "__main__":
     load_plugin()
     for check_one in (check_state, check_definition, check_offered, check_grids_and_cells, check_first_picture, check_cover, check_cover_array, check_moves_with_time,
-                      check_threshold_and_waves, check_thickness, check_density_volume, check_blocks, check_colors,
+                      check_moving_camera, check_threshold_and_waves, check_thickness, check_density_volume, check_blocks, check_colors,
                       check_colors_of_some_blocks):
         print(check_one.__name__, flush=True)
         check_one()

@@ -5,7 +5,7 @@ from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "CloudTextureThicknessRun.py"
 BODIES = ("ball", "thin ball", "row", "row from behind", "added", "rough", "turned", "clipped", "cut cells", "linear density",
-          "contour", "hexahedra", "on few ranks", "sun", "moving")
+          "contour", "hexahedra", "on few ranks", "sun", "moving", "in motion")
 VOLUMES = ("image", "structured", "unstructured", "cell density", "blocks volume")
 HAZED = ("haze",)
 MANY_LAYERS = ("row without thickness",)

@@ -44,6 +44,12 @@ public:
   int ProcessViewRequest(
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
+  /**
+   * Has no effect: the simplified surface has no texture coordinates, so there is none. ParaView
+   * sets it to off by default.
+   */
+  void SetSuppressLOD(bool) override {}
+
   /** What the superclass makes a surface of: on several ranks with cells of the others. */
   vtkAlgorithmOutput* GetInternalOutputPort(int port, int connection) override;
   using Superclass::GetInternalOutputPort;
