@@ -3,14 +3,16 @@
 #include "RankDivisions.h"
 
 #include "ChessboardDivision.h"
+#include "RankExchange.h"
 #include "RankPlaces.h"
 #include "TetrahedronSource.h"
 #include "VolumetricCells.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkMultiProcessController.h"
+#include "vtkTypeInt32Array.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <tuple>
@@ -27,13 +29,12 @@ namespace
  */
 struct SharedPoint
 {
-  double X, Y, Z, Code;
+  Vector3 Place;
+  std::int32_t Code;
 };
 
-bool AtOnePlace(const SharedPoint& a, const SharedPoint& b)
-{
-  return a.X == b.X && a.Y == b.Y && a.Z == b.Z;
-}
+// Two wholes that have a point in common, and 1 where it is odd in one of them alone.
+using Bond = std::array<std::int32_t, 3>;
 
 bool IsMisnumbered(vtkUnstructuredGrid* cells)
 {
@@ -58,11 +59,12 @@ std::pair<int, int> CountWholes(vtkMultiProcessController* controller, int mine)
     std::accumulate(counts.begin(), counts.end(), 0) };
 }
 
-std::vector<SharedPoint> SharedPoints(
-  vtkUnstructuredGrid* cells, ChessboardColors& colors, int firstWhole)
+// Those of this rank, for each rank that has them too.
+std::vector<std::vector<SharedPoint>> SharedPoints(
+  vtkUnstructuredGrid* cells, ChessboardColors& colors, int firstWhole, int ranks)
 {
   std::vector<Vector3> places;
-  std::vector<double> codes;
+  std::vector<std::int32_t> codes;
   for (const vtkIdType number : PointsOfSurface(cells))
   {
     const auto color = colors.ColorOf(number);
@@ -71,47 +73,59 @@ std::vector<SharedPoint> SharedPoints(
     if (color.first >= 0 && std::isfinite(x[0] + x[1] + x[2]))
     {
       places.push_back(x);
-      codes.push_back(2.0 * (firstWhole + color.first) + color.second);
+      codes.push_back(2 * (firstWhole + color.first) + color.second);
     }
   }
-  std::vector<SharedPoint> points;
+  std::vector<std::vector<SharedPoint>> points(static_cast<std::size_t>(ranks));
   for (const SharedPlace& shared : PlacesOfSeveralRanks(places))
   {
-    const Vector3& x = shared.Rounded;
-    points.push_back({ x[0], x[1], x[2], codes[shared.Index] });
+    points[static_cast<std::size_t>(shared.Rank)].push_back(
+      { shared.Rounded, codes[shared.Index] });
   }
   return points;
 }
 
-std::vector<SharedPoint> PointsOfAll(
-  vtkMultiProcessController* controller, const std::vector<SharedPoint>& mine)
+// Each once. A rank gets the points of all others at each of its places.
+std::vector<Bond> BondsAtPoints(
+  vtkMultiProcessController* controller, const std::vector<std::vector<SharedPoint>>& own)
 {
-  vtkNew<vtkDoubleArray> own, all;
-  own->SetArray(reinterpret_cast<double*>(const_cast<SharedPoint*>(mine.data())),
-    static_cast<vtkIdType>(4 * mine.size()), 1);
-  controller->AllGatherV(own, all);
-  std::vector<SharedPoint> points(static_cast<std::size_t>(all->GetNumberOfValues() / 4));
-  std::copy(all->Begin(), all->End(), reinterpret_cast<double*>(points.data()));
-  return points;
-}
-
-// False where a point would have to have both colours.
-bool JoinRanks(std::vector<SharedPoint>& points, ColoredParts& wholes)
-{
-  std::sort(points.begin(), points.end(), [](const SharedPoint& a, const SharedPoint& b) {
-    return std::tie(a.X, a.Y, a.Z, a.Code) < std::tie(b.X, b.Y, b.Z, b.Code);
-  });
-  bool fits = true;
-  for (std::size_t i = 1; i < points.size() && fits; ++i)
+  std::vector<SharedPoint> points;
+  for (const auto& ofRanks : { own, TradeRecords(controller, own) })
   {
-    if (AtOnePlace(points[i - 1], points[i]))
+    for (const auto& some : ofRanks)
     {
-      const auto a = static_cast<std::int32_t>(points[i - 1].Code),
-                 b = static_cast<std::int32_t>(points[i].Code);
-      fits = a / 2 == b / 2 || wholes.Join(a / 2, b / 2, (a ^ b) & 1);
+      points.insert(points.end(), some.begin(), some.end());
     }
   }
-  return fits;
+  std::sort(points.begin(), points.end(), [](const SharedPoint& a, const SharedPoint& b) {
+    return std::tie(a.Place, a.Code) < std::tie(b.Place, b.Code);
+  });
+  std::vector<Bond> bonds;
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    const std::int32_t a = points[i - 1].Code, b = points[i].Code;
+    if (points[i - 1].Place == points[i].Place && a / 2 != b / 2)
+    {
+      bonds.push_back({ { a / 2, b / 2, (a ^ b) & 1 } });
+    }
+  }
+  std::sort(bonds.begin(), bonds.end());
+  bonds.erase(std::unique(bonds.begin(), bonds.end()), bonds.end());
+  return bonds;
+}
+
+std::vector<Bond> BondsOfAll(vtkMultiProcessController* controller, const std::vector<Bond>& mine)
+{
+  vtkNew<vtkTypeInt32Array> own, all;
+  for (const Bond& bond : mine)
+  {
+    std::for_each(
+      bond.begin(), bond.end(), [&own](std::int32_t value) { own->InsertNextValue(value); });
+  }
+  controller->AllGatherV(own, all);
+  std::vector<Bond> bonds(static_cast<std::size_t>(all->GetNumberOfValues() / 3));
+  std::copy(all->Begin(), all->End(), bonds.empty() ? nullptr : bonds.front().data());
+  return bonds;
 }
 
 // The first whole of those that belong together is even.
@@ -157,9 +171,12 @@ vtkSmartPointer<vtkUnsignedCharArray> RankDivisions(
   {
     wholes.Add();
   }
-  std::vector<SharedPoint> points =
-    PointsOfAll(controller, SharedPoints(cells, colors, counts.first));
-  return JoinRanks(points, wholes)
+  const auto points = SharedPoints(cells, colors, counts.first, controller->GetNumberOfProcesses());
+  const std::vector<Bond> bonds = BondsOfAll(controller, BondsAtPoints(controller, points));
+  // Else a point would have to have both colours.
+  const bool areConsistent = std::all_of(bonds.begin(), bonds.end(),
+    [&wholes](const Bond& bond) { return wholes.Join(bond[0], bond[1], bond[2]); });
+  return areConsistent
     ? colors.MakeDivisions(ParitiesOfWholes(wholes, counts.first, colors.CountWholes()))
     : NoDivisions(cells);
 }

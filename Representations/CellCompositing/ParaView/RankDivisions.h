@@ -14,8 +14,8 @@ namespace nephoscope
 /**
  * Stores the division of the cells of ChessboardDivision.h, 0 where the cells of all ranks together
  * have none (divisionName in ChessboardDivision.h).
- * Cells that have the array keep it. All ranks must call it. The points of the surfaces of all
- * pieces are exchanged: 32 bytes each.
+ * Cells that have the array keep it. All ranks must call it. Ranks exchange the points that
+ * they have in common: 56 bytes each.
  */
 void StoreRankDivisions(vtkUnstructuredGrid* cells);
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RankPlaces.h"
 
+#include "RankExchange.h"
+
 #include "vtkBoundingBox.h"
 #include "vtkMultiProcessController.h"
-#include "vtkType.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,35 +38,20 @@ std::vector<vtkBoundingBox> BoundsOfRanks(
 // A rounded place and the rank that has it.
 using PlaceOnRank = std::pair<Vector3, int>;
 
-// Sorted places of other ranks that may be ours too.
+// Sorted places of other ranks that may be ours too; `own`: those of this rank, for each rank that
+// may have them. Each goes to few ranks, whatever their number.
 std::vector<PlaceOnRank> PlacesOfOtherRanks(
-  vtkMultiProcessController* controller, const std::vector<Vector3>& shared)
+  vtkMultiProcessController* controller, const std::vector<std::vector<Vector3>>& own)
 {
-  const auto ranks = static_cast<std::size_t>(controller->GetNumberOfProcesses());
-  const vtkIdType length = 3 * static_cast<vtkIdType>(shared.size());
-  std::vector<vtkIdType> lengths(ranks), offsets(ranks + 1, 0);
-  controller->AllGather(&length, lengths.data(), 1);
-  for (std::size_t rank = 0; rank < ranks; ++rank)
-  {
-    offsets[rank + 1] = offsets[rank] + lengths[rank];
-  }
-  std::vector<double> mine, all(static_cast<std::size_t>(offsets[ranks]) + 1);
-  mine.reserve(static_cast<std::size_t>(length) + 1);
-  for (const Vector3& place : shared)
-  {
-    mine.insert(mine.end(), place.begin(), place.end());
-  }
-  controller->AllGatherV(mine.data(), all.data(), length, lengths.data(), offsets.data());
   std::vector<PlaceOnRank> others;
-  for (int rank = 0; rank < static_cast<int>(ranks); ++rank)
+  int rank = 0;
+  for (const std::vector<Vector3>& places : TradeRecords(controller, own))
   {
-    const auto at = static_cast<std::size_t>(rank);
-    for (auto i = static_cast<std::size_t>(offsets[at]);
-         rank != controller->GetLocalProcessId() && i < static_cast<std::size_t>(offsets[at + 1]);
-         i += 3)
+    for (const Vector3& place : places)
     {
-      others.push_back({ { { all[i], all[i + 1], all[i + 2] } }, rank });
+      others.push_back({ place, rank });
     }
+    ++rank;
   }
   std::sort(others.begin(), others.end());
   others.erase(std::unique(others.begin(), others.end()), others.end());
@@ -119,20 +105,27 @@ std::vector<SharedPlace> PlacesOfSeveralRanks(const std::vector<Vector3>& places
   }
   std::vector<Vector3> shared;
   std::vector<std::size_t> indices;
+  std::vector<std::vector<Vector3>> ofRanks(boxes.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
+    const Vector3 place = rounded.Round(places[i]);
+    bool isShared = false;
     for (std::size_t rank = 0; rank < boxes.size(); ++rank)
     {
       if (static_cast<int>(rank) != controller->GetLocalProcessId() && boxes[rank].IsValid() &&
         boxes[rank].ContainsPoint(places[i].data()))
       {
-        shared.push_back(rounded.Round(places[i]));
-        indices.push_back(i);
-        break;
+        ofRanks[rank].push_back(place);
+        isShared = true;
       }
     }
+    if (isShared)
+    {
+      shared.push_back(place);
+      indices.push_back(i);
+    }
   }
-  const std::vector<PlaceOnRank> others = PlacesOfOtherRanks(controller, shared);
+  const std::vector<PlaceOnRank> others = PlacesOfOtherRanks(controller, ofRanks);
   for (std::size_t i = 0; i < shared.size(); ++i)
   {
     auto other = std::lower_bound(others.begin(), others.end(), PlaceOnRank{ shared[i], 0 });
