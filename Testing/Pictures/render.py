@@ -18,7 +18,7 @@ FIGURES = ROOT / "Figures"
 TIMEOUT = 240  # s
 # Figures that let their size be chosen are drawn small, and with coarser clouds: they are compared at 200 pixels.
 SMALLER = {"22_flat_and_lit_clouds": "--size 640 360", "23_hurricane_at_dawn": "--size 640 360 --step 0.2", "24_silver_lining_and_fogbow": "--size 600 400",
-           "25_light_shafts": "--size 640 240"}
+           "25_light_shafts": "--size 640 240", "26_everything_together": "--size 480 270"}
 
 
 def scenes(*of):

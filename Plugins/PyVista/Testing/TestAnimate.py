@@ -278,6 +278,7 @@ class Messages(Animation):
                 (TypeError, r"a generator.*pass list\(dataset\)", (mesh for mesh in meshes), {}),
                 (MissingDataError, r"step 1 \(time 1\) has no array 'T'. Point arrays: 'U'", [meshes[0], lacking], {}),
                 (MissingDataError, r"step 1 \(time 6.5\) has no array 'T'", {0: meshes[0], 6.5: lacking}, {}),
+                (MissingDataError, r"step 1 \(time 1\) has the array 'T' on its cells, .* step 0 on its points. Convert", [meshes[0], meshes[1].point_data_to_cell_data()], {}),
                 (TypeError, r"animate\(\) got an unexpected keyword argument 'cmapp'. Did you mean 'cmap'", meshes, {"cmapp": "hot"}),
                 (TypeError, "'frame_rate'. Did you mean 'framerate'", meshes, {"frame_rate": 3}), (TypeError, "'nonsense'[.]$", meshes, {"nonsense": 3}),
                 (TypeError, r"no option 'color'; of those of add_cells it takes 'opacity', .*add_cells\(plotter, mesh, ..., color=...\)", meshes, {"color": "red"}),

@@ -129,6 +129,10 @@ class FlowVolume(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "choose one of them"):
             mesh.nephoscope.flow_volume(center=(0, 0, 0))
 
+    def test_smoke_without_cells(self):
+        with self.assertRaisesRegex(ValueError, "no smoke was traced"):
+            nephoscope.add_smoke(pyvista.Plotter(off_screen=True), pyvista.UnstructuredGrid())
+
     def test_too_many_steps(self):
         with self.assertWarnsRegex(RuntimeWarning, "for a duration of .* a time_step of .* Shorten duration"):
             uniform().nephoscope.flow_volume(center=(-5, 0, 0), radius=1, duration=5e6)

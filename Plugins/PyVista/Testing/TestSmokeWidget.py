@@ -28,7 +28,7 @@ class Widget(unittest.TestCase):
         made = nephoscope.add_smoke_widget(self.plotter, whirl(), center=(5, 0, 0), radius=0.6, duration=1, **options)
         self.plotter.camera_position = "xy"
         self.plotter.show(auto_close=False, interactive=False)
-        self.widget, self.volume = made.ball, made.volume
+        self.made, self.widget, self.volume = made, made.ball, made.volume
         return made.polygon
 
     def drag(self, *place, end=True):
@@ -95,6 +95,16 @@ class Widget(unittest.TestCase):
         self.assertGreater(self.volume.mapper.dataset.bounds[1], 4)  # still where it was
         self.drag(0, 4, 1)
         self.check(line, (0, 4, 1), np.pi / 2)
+
+    def test_ball_moves_along(self):
+        self.add()
+        made = self.made
+        made.move((0, 4, 1))
+        np.testing.assert_allclose(made.ball.GetCenter(), (0, 4, 1), atol=1e-6)
+        np.testing.assert_allclose(np.array(made.polygon.mapper.dataset.points).mean(axis=0), (0, 4, 1), atol=1e-6)
+        for center in ((np.nan, 0, 0), (1, 2), None):
+            with self.assertRaisesRegex(ValueError, "center"):
+                made.move(center)
 
     def test_outside_nothing_is_drawn_and_back_it_is(self):
         line = self.add()

@@ -117,6 +117,23 @@ class Accepted(Splats):
         self.assertIn("1 s of film shows 5 min", words[0])
         with self.assertRaisesRegex(ValueError, "vectors\\['length_unit'\\] is 0"):
             self.add(vectors={"array": "wind", "length_unit": 0})
+        with self.assertRaisesRegex(ValueError, "'length_unit', but true_speed is not True"):
+            self.add(vectors={"array": "wind", "length_unit": 1000, "speed_unit": "m/s"})
+        with self.assertRaisesRegex(ValueError, "no 'speed_unit'"):
+            self.add(vectors={"array": "wind", "length_unit": 1000, "true_speed": True})
+
+    def test_splats_that_are_not_seen_have_no_bar(self):
+        """A bar has colours that are in the picture: that of other data with the same title stays."""
+        mesh = pyvista.ImageData(dimensions=(5, 5, 5))
+        mesh["water"] = mesh.points[:, 0]
+        mesh["wind"] = np.tile((10.0, 0, 0), (mesh.n_points, 1))
+        plotter = pyvista.Plotter(off_screen=True)
+        self.addCleanup(plotter.close)
+        nephoscope.add_cells(plotter, mesh, "water", cmap="gray")
+        nephoscope.add_splats(plotter, mesh, "water", opacity=0, vectors={"array": "wind", "color": "blue"})
+        colour = [0.0, 0.0, 0.0]
+        plotter.scalar_bars["water"].GetLookupTable().GetColor(4.0, colour)
+        self.assertEqual((list(plotter.scalar_bars.keys()), colour), (["water"], [1, 1, 1]))
 
     def test_radius_of_particles(self):
         for kernel in ("cubic", "quadratic", "gaussian"):

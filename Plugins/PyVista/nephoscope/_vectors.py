@@ -107,10 +107,17 @@ class Vectors:
         length = self._number("length_unit", above=0)
         if not self.true_speed and (self.time_scale is not None or self.film_time not in (None, 0)):
             raise ValueError("vectors has the option 'time_scale' or 'film_time', but true_speed is not True.")
+        if length != 1 and not self.true_speed:
+            raise ValueError("vectors has the option 'length_unit', but true_speed is not True.")
+        if length != 1 and self.time_scale is None and not self._speed_unit():
+            raise ValueError("vectors has the option 'length_unit', but no 'speed_unit'; name the unit of the vectors, for example 'm/s'.")
         if self.time_scale is not None:
             mapper.SetTimeScale(self._number("time_scale", above=0) / length)
         if self.film_time is not None:
             mapper.film_time = self._number("film_time")
+
+    def _speed_unit(self) -> str:
+        return ("m/s" if self.array == "DisplayVelocity" else "") if self.speed_unit is None else str(self.speed_unit)
 
     def _apply_placement(self, mapper: Any, mesh: pyvista.DataSet) -> None:
         choose({"middle": mapper.SetVectorPlacementToMiddle, "layers": mapper.SetVectorPlacementToLayers}, self.placement, "vectors['placement']")
@@ -191,7 +198,7 @@ class Vectors:
             return
         key = vtkSplatSpeedKey()
         key.SetVolume(volume)
-        key.SetSpeedUnit(("m/s" if self.array == "DisplayVelocity" else "") if self.speed_unit is None else str(self.speed_unit))
+        key.SetSpeedUnit(self._speed_unit())
         key.SetLengthUnit(self.length_unit)
         plotter.add_actor(key, name=f"{getattr(volume, 'name', '') or 'splats'}-speed-key", reset_camera=False, pickable=False, render=False)
 

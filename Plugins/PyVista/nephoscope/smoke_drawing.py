@@ -68,6 +68,9 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     """
     if not isinstance(volume, pyvista.UnstructuredGrid):
         raise TypeError(f"volume is a {type(volume).__name__}; it must be an UnstructuredGrid from flow_volume.")
+    if volume.n_cells == 0:
+        raise ValueError("volume, the result of flow_volume, has no cells: no smoke was traced, and the warning of flow_volume says why. With coordinates in different units, such as "
+                         "degrees and metres, give it duration and radius.")
     _refuse_ranges(scalars is not None or sun is not None, options)
     density = _density_name(volume, density)
     reference = _reference(volume, density, reference_density)

@@ -12,7 +12,7 @@ import pyvista
 from ._drag_pace import DragPace
 from ._medium import require_plotter
 from ._typing import Numbers
-from .smoke import _NAMES, _filter, flow_volume
+from .smoke import _NAMES, _filter, _vector, flow_volume
 from .smoke_drawing import add_smoke
 from ._pipeline import vtk_messages
 
@@ -34,8 +34,8 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
     polygon_color : ColorLike, default: "orange"
         Colour of the polygon and of the ball.
     while_dragging : bool, default: True
-        True: updates the smoke while you drag, with as many tetrahedra, from 2,000 to ``max_tetrahedra``, as allow ten updates a second; in a scene
-        that is slower without smoke, with as many as add a quarter of its time. The smoke is complete again when you release the ball. False: shows only the polygon while you drag, and updates the smoke when you release the ball.
+        True: updates the smoke while you drag, with as many tetrahedra, from 2,000 to ``max_tetrahedra``, as allow ten updates a second. In a scene
+        that is slower for other reasons, with as many as take a quarter of the rest of an update. The smoke is complete again when you release the ball. False: shows only the polygon while you drag, and updates the smoke when you release the ball.
     **options
         Arguments of `flow_volume` for a steady flow (`center`, `radius`, `duration`, ...), and of `add_smoke` (`optical_depth`, ...).
 
@@ -104,10 +104,12 @@ class SmokeWidget:
 
     def move(self, center: Numbers) -> None:
         self._move(center, self._full)
+        if self.ball is not None:
+            self.ball.SetCenter(center)
 
     def _move(self, center: Numbers, tetrahedra: int) -> None:
         self.filter.SetMaximumNumberOfTetrahedra(tetrahedra)
-        self.filter.SetCenter(*center)
+        self.filter.SetCenter(_vector(center, "center"))
         found = self._update()
         if found:
             self.volume.mapper.SetInputDataObject(pyvista.wrap(self.filter.GetOutput()).copy(deep=False))

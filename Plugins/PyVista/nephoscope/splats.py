@@ -294,7 +294,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
                      opacity_scale, preset, fainter, component).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
     streaks.suit(mapper, plotter, prop, given)
-    if streaks.table is not None and not is_drawn(prop.GetScalarOpacity()):
+    if (streaks.table is not None or streaks.color is not None) and not is_drawn(prop.GetScalarOpacity()):
         show_scalar_bar = False  # nothing uses its colours
     title = title_of_scalars(mesh, array_name, association, component)
     add_earth_for(plotter, data, mesh, array_name if sun is None else field, sun is not None)

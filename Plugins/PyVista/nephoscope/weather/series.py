@@ -168,6 +168,10 @@ class Series(Sequence):
             return np.zeros(0)
         if name not in found.array_names:
             raise MissingDataError(f"The mesh of step {step} (time {self.times[step]}) has no array {name!r}. {arrays_of(found)}")
+        if (name in found.point_data) != (name in self.mesh.point_data):
+            here, there = ("points", "cells") if name in found.point_data else ("cells", "points")
+            raise MissingDataError(f"The mesh of step {step} (time {self.times[step]}) has the array {name!r} on its {here}, the mesh of step {self.step} on its {there}. "
+                                   "Convert one of them, with mesh.cell_data_to_point_data() or mesh.point_data_to_cell_data().")
         return np.asarray(found[name])
 
     # The step that is shown
