@@ -363,7 +363,8 @@ vtkTypeBool vtkSunlight::ProcessRequest(
 void vtkSunlight::ChooseExtinction(vtkDataSet* data)
 {
   const bool isSmoke = this->ExtinctionArrayName == "Extinction" &&
-    nephoscope::AddSmokeOptics(data, this->AlbedoArrayName, this->AsymmetryArrayName);
+    nephoscope::AddSmokeOptics(data, this->AlbedoArrayName, this->AsymmetryArrayName,
+      this->ColumnOfRanks > 0 ? this->ColumnOfRanks : nephoscope::SmokeColumn(data, nullptr));
   this->UsedExtinction = isSmoke ? nephoscope::smokeExtinctionName : this->ExtinctionArrayName;
 }
 

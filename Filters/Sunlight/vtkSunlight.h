@@ -382,6 +382,7 @@ private:
   std::vector<double> LastState;                       // that it was computed for
   std::unique_ptr<Joint> Joined;                       // of several blocks or ranks
   vtkSmartPointer<vtkDataSet> JoinedShading;           // likewise, of the second input
+  double ColumnOfRanks = 0;                            // SmokeColumn; 0: each dataset has its own
 };
 
 #endif

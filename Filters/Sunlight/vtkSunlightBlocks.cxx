@@ -6,6 +6,7 @@
 
 #include "DataSets.h"
 #include "DefaultRange.h"
+#include "SmokeOptics.h"
 #include "vtkSunlightInternals.h"
 
 #include "vtkCellData.h"
@@ -41,6 +42,9 @@ void vtkSunlight::JoinClouds()
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
   vtkMultiProcessController* ranks = nephoscope::RanksOfPieces(this);
   const bool isComposite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+  this->ColumnOfRanks = ranks && !isComposite && !nephoscope::IsStructured(input)
+    ? nephoscope::SmokeColumn(vtkDataSet::SafeDownCast(input), ranks)
+    : 0;
   // A grid is whole on each rank.
   if (!input || (!isComposite && (!ranks || nephoscope::IsStructured(input))))
   {

@@ -6,16 +6,19 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkTetra.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nephoscope
 {
@@ -23,10 +26,16 @@ namespace
 {
 constexpr float smokeAlbedo = 0.9f, smokeAsymmetry = 0.6f;
 
-// Over the volume of the tetrahedra, which is all that vtkFlowVolume makes.
-double MeanDensity(vtkDataSet* cells, vtkDataArray* density)
+struct MassAndVolume
 {
-  double mass = 0, volume = 0, x[4][3];
+  double Mass = 0, Volume = 0;
+};
+
+// Of the tetrahedra, which are all that vtkFlowVolume makes.
+MassAndVolume MassOf(vtkDataSet* cells, vtkDataArray* density)
+{
+  MassAndVolume sum;
+  double x[4][3];
   vtkNew<vtkIdList> ids;
   for (vtkIdType c = 0; c < cells->GetNumberOfCells(); ++c)
   {
@@ -40,10 +49,10 @@ double MeanDensity(vtkDataSet* cells, vtkDataArray* density)
       cells->GetPoint(ids->GetId(i), x[i]);
     }
     const double its = std::abs(vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]));
-    mass += its * density->GetComponent(c, 0);
-    volume += its;
+    sum.Mass += its * density->GetComponent(c, 0);
+    sum.Volume += its;
   }
-  return volume > 0 ? mass / volume : 0;
+  return sum;
 }
 
 // In place of an array of the data that the smoke was made in.
@@ -67,18 +76,44 @@ void AddOnPoints(vtkDataSet* data, const std::string& name, float value)
 }
 }
 
-bool AddSmokeOptics(
-  vtkDataSet* data, const std::string& albedoName, const std::string& asymmetryName)
+double SmokeColumn(vtkDataSet* data, vtkMultiProcessController* ranks)
 {
-  vtkDataArray* density = SmokeDensity(data);
-  if (!density)
+  vtkDataArray* density = data ? SmokeDensity(data) : nullptr;
+  const auto reduced = [&](double mine, int operation) {
+    double all = mine;
+    ranks ? ranks->AllReduce(&mine, &all, 1, operation) : 0;
+    return all;
+  };
+  const auto united = [&](const vtkBoundingBox& mine) {
+    vtkBoundingBox all = mine;
+    ranks ? ranks->AllReduce(mine, all) : false;
+    return all;
+  };
+  const double youngest = reduced(
+    density ? LeastSmokeAge(data) : std::numeric_limits<double>::max(), vtkCommunicator::MIN_OP);
+  const double width =
+    DiameterOfSmoke(united(density ? BoundsOfYoungSmoke(data, youngest) : vtkBoundingBox()));
+  const vtkBoundingBox whole =
+    united(density ? vtkBoundingBox(data->GetBounds()) : vtkBoundingBox());
+  const double initial =
+    reduced(density ? InitialSmokeDensity(data) : 0.0, vtkCommunicator::MAX_OP);
+  const MassAndVolume mine = density ? MassOf(data, density) : MassAndVolume();
+  const double mass = reduced(mine.Mass, vtkCommunicator::SUM_OP),
+               volume = reduced(mine.Volume, vtkCommunicator::SUM_OP);
+  const double mean = volume > 0 ? mass / volume : 0;
+  return (width > 0            ? width
+             : whole.IsValid() ? whole.GetDiagonalLength() / 50
+                               : 0) *
+    (initial > 0 ? initial : mean);
+}
+
+bool AddSmokeOptics(
+  vtkDataSet* data, const std::string& albedoName, const std::string& asymmetryName, double column)
+{
+  if (!SmokeDensity(data))
   {
     return false;
   }
-  const double width = DiameterOfSmoke(BoundsOfYoungSmoke(data, LeastSmokeAge(data)));
-  const double initial = InitialSmokeDensity(data);
-  const double depth = (width > 0 ? width : data->GetLength() / 50) *
-    (initial > 0 ? initial : MeanDensity(data, density));
   vtkDataArray* visible = VisibleSmoke(data);
   vtkNew<vtkFloatArray> extinction;
   extinction->SetName(smokeExtinctionName);
@@ -86,7 +121,7 @@ bool AddSmokeOptics(
   for (vtkIdType i = 0; i < visible->GetNumberOfTuples(); ++i)
   {
     extinction->SetValue(
-      i, static_cast<float>(depth > 0 ? visible->GetComponent(i, 0) / depth : 0));
+      i, static_cast<float>(column > 0 ? visible->GetComponent(i, 0) / column : 0));
   }
   const bool onCells = data->GetCellData()->GetArray(visible->GetName()) == visible;
   AddArray(data, onCells ? vtkDataObject::CELL : vtkDataObject::POINT, extinction);

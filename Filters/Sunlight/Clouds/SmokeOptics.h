@@ -9,6 +9,7 @@
 #include <string>
 
 class vtkDataSet;
+class vtkMultiProcessController;
 
 namespace nephoscope
 {
@@ -18,14 +19,21 @@ namespace nephoscope
 constexpr const char* smokeExtinctionName = "SmokeExtinction";
 
 /**
+ * Mean density of smoke times the width of its generating polygon; 0 if the data are no smoke.
+ * `ranks`: all of them call this, each with its piece of the smoke, or without smoke; or null.
+ */
+double SmokeColumn(vtkDataSet* data, vtkMultiProcessController* ranks);
+
+/**
  * Adds an extinction in proportion to the visible density of smoke, such that a path as long as the
- * generating polygon is wide, through smoke of the mean density, has an optical depth of 1; and the
+ * generating polygon is wide, through smoke of the mean density, has an optical depth of 1
+ * (`column`: SmokeColumn); and the
  * albedo and asymmetry of fresh smoke of vegetation fires in green light (ReidEtAl2005), unless
  * their names are empty. Arrays of these names are replaced: they are those of the clouds that the
  * smoke was made in. False if the data are no smoke.
  */
 bool AddSmokeOptics(
-  vtkDataSet* data, const std::string& albedoName, const std::string& asymmetryName);
+  vtkDataSet* data, const std::string& albedoName, const std::string& asymmetryName, double column);
 }
 
 #endif

@@ -1,11 +1,12 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Unstructured clouds, blocks, and the ground below them have the same light on one rank and on two: clouds of all ranks cast their shadows."""
+"""Unstructured clouds, blocks, and the ground below them have the same light on one rank and on two: clouds of all ranks cast their shadows. Smoke has the same extinction on one to three."""
 import sys
 
 import numpy as np
 from MpiTesting import arrays_of_ranks
 
+EXTINCTION = 1  # number of the column of SunlightRun.py
 ROUNDING, ABSORBED = 2e-5, 3e-4  # of sums in another order; the last column is a difference of fluxes
 
 
@@ -23,4 +24,11 @@ for name in ("mesh", "blocks", "ground", "below"):
     print(f"{name}: {len(expected)} points, at least {darkest:.3f} of the beam; one rank and two differ by {differences}")
     if (differences[:-1] > ROUNDING).any() or differences[-1] > ABSORBED or darkest > 0.5:
         sys.exit(f"{name}: the light on two ranks is not that on one")
+for ranks, parts in ((1, one), (2, two), (3, arrays_of_ranks("SunlightRun.py", "sunlight", 3))):
+    extinction = np.concatenate([part["smoke"][:, 3 + EXTINCTION] for part in parts])
+    print(f"smoke on {ranks} ranks: extinction {extinction.min():.5f} to {extinction.max():.5f}")
+    if ranks == 1:
+        expected = extinction.max()
+    if np.abs(extinction / expected - 1).max() > 1e-4:  # the same everywhere in this smoke
+        sys.exit("smoke: its extinction on several ranks is not that on one")
 print("NEPHOSCOPE-PASSED")

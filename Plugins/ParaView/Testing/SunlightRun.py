@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Not a test by itself: each rank saves the light of its part of unstructured clouds, of blocks, and of the ground below these, for SunlightRanks.py.
+"""Not a test by itself: each rank saves the light of its part of unstructured clouds, of blocks, of the ground below these, and of smoke, for SunlightRanks.py.
 
 Usage: SunlightRun.py PREFIX
 """
@@ -46,5 +46,7 @@ half.ClipType.Origin, half.ClipType.Normal, half.Invert = [0, 1, 0], [0, 1, 0], 
 upright = pvs.Sunlight(Input=half, Up=[0, 1, 0], SunDirection=[0.5, 2, 0.3])
 wall = pvs.Plane(Origin=[-16, -12, -16], Point1=[16, -12, -16], Point2=[-16, -12, 16], XResolution=32, YResolution=32)
 below = pvs.Sunlight(Input=wall, Clouds=upright, SunDirection=[0.5, 2, 0.3])
-np.savez(f"{sys.argv[1]}-{rank}.npz", mesh=rows(mesh), blocks=rows(blocks), ground=rows(shaded), below=rows(below))
+wind = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="V", Function="iHat*(5-coordsY*0.5)+jHat*coordsX*0.5+kHat*1")
+smoke = pvs.Sunlight(Input=pvs.FlowVolume(Input=wind), SunDirection=[0, -1, 0.3])
+np.savez(f"{sys.argv[1]}-{rank}.npz", mesh=rows(mesh), blocks=rows(blocks), ground=rows(shaded), below=rows(below), smoke=rows(smoke))
 print("RANK-DONE", flush=True)
