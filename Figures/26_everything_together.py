@@ -48,7 +48,7 @@ def noise(shape, smallest, largest, seed, slope=-2.0):
 
 
 def height(x, y):
-    """Of the ground, m: a cone with a crater, gullies and a rough coast."""
+    """Height of the ground, m: a cone with a crater, gullies and a rough coast."""
     distance, bearing = numpy.hypot(x, y), numpy.arctan2(y, x)
     coast = RADIUS * (1 + 0.10 * numpy.sin(3 * bearing + 1) + 0.06 * numpy.sin(7 * bearing) + 0.25 * numpy.cos(bearing - 2.6) ** 2)
     share = numpy.clip(1 - distance / coast, -0.2, 1)

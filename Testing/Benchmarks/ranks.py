@@ -5,6 +5,8 @@
     ./nephoscope bench
     ./nephoscope python Testing/Benchmarks/ranks.py [CELLS [RANKS...]]
 
+RANKS are numbers of ranks beside 1; without them 2, 4 and 8.
+
 Weak scaling: each rank starts with CELLS cells (30,000), in layers of a cube, as from a reader that divides a file by its order. Each rank has one
 thread, and more ranks than cores share these: processor time, which a waiting rank does not spend, then tells more than elapsed time. Bytes are
 those that the ranks give to MPI (mpi_bytes.c). Then the same data on all numbers of ranks: the largest difference of the pictures to those
@@ -221,7 +223,7 @@ def main():
         import ranks  # a programmable source puts names of its own into __main__
         ranks.run_rank(cells, sys.argv[3], sys.argv[4:])
         return
-    numbers = [int(number) for number in sys.argv[2:]] or [1, 2, 4, 8]
+    numbers = sorted({1, *map(int, sys.argv[2:] or (2, 4, 8))})
     print(f"1 to {max(numbers)} processes of one thread each on {len(os.sched_getaffinity(0))} cores, {SIZE[0]} x {SIZE[1]} pixels\n")
     with tempfile.TemporaryDirectory() as folder:
         library, prefix = counter(folder), f"{folder}/run"

@@ -31,7 +31,7 @@ struct MassAndVolume
   double Mass = 0, Volume = 0;
 };
 
-// Of the tetrahedra, which are all that vtkFlowVolume makes.
+// Mass and volume of the tetrahedra, which are all that vtkFlowVolume makes.
 MassAndVolume MassOf(vtkDataSet* cells, vtkDataArray* density)
 {
   MassAndVolume sum;

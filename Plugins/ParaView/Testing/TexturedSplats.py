@@ -131,6 +131,9 @@ def check_true_speed(view, display):
     check_same(metres, image(view), "speed key of metres again")
     display.TexturedSplatsShowSpeedKey = 0
     check_same(moved, image(view), "speed key off again")
+    display.TexturedSplatsLengthUnit, display.TexturedSplatsTimeScale = 1000, 200
+    check_same(moved, image(view), "the time scale of data in kilometres")
+    display.TexturedSplatsLengthUnit, display.TexturedSplatsTimeScale = 1, 0.2
     display.TexturedSplatsTrueSpeed = 0
     view.ViewTime = 0.0
 

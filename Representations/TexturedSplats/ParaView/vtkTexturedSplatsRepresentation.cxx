@@ -283,6 +283,7 @@ void vtkTexturedSplatsRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Phase: " << this->Phase << "\n";
   os << indent << "TrueSpeed: " << this->TrueSpeed << "\n";
   os << indent << "TimeScale: " << this->TimeScale << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "ShowSpeedKey: " << this->SpeedKey->GetVisibility() << "\n";
   this->Mapper->PrintSelf(os, indent.GetNextIndent());
 }

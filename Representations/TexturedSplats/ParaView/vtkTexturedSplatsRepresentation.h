@@ -158,7 +158,7 @@ public:
    */
   void SetShowSpeedKey(bool show) { this->SpeedKey->SetVisibility(show); }
   void SetSpeedUnit(const char* unit) { this->SpeedKey->SetSpeedUnit(unit ? unit : ""); }
-  void SetLengthUnit(double metres) { this->SpeedKey->SetLengthUnit(metres); }
+  void SetLengthUnit(double metres);
   ///@}
 
 protected:
@@ -215,7 +215,7 @@ private:
   double LoopDuration = 0.0;
   double Phase = 0.0;
   bool TrueSpeed = false;
-  double TimeScale = 0.0;
+  double TimeScale = 0.0, LengthUnit = 1.0;
   double InputTimes[2] = { 0.0, 0.0 }; // first and last
   int NumberOfInputTimes = 0;
 };

@@ -131,7 +131,7 @@ void vtkTexturedSplatsRepresentation::MoveVectors()
 {
   this->Mapper->SetPhase(this->GetPhaseNow());
   this->Mapper->SetTrueSpeed(this->TrueSpeed);
-  this->Mapper->SetTimeScale(this->TimeScale);
+  this->Mapper->SetTimeScale(this->TimeScale / this->LengthUnit); // in the unit of the vectors
   const double unit =
     this->TimeScale > 0.0 ? 1.0 : this->GetLoopTime() / this->Mapper->GetPhaseCycles();
   const double time = this->MoveWithTime ? this->GetUpdateTime() - this->InputTimes[0] : 0.0;
@@ -168,6 +168,12 @@ void vtkTexturedSplatsRepresentation::SetVectorUnit(double length)
 void vtkTexturedSplatsRepresentation::SetVectorColorFunction(vtkScalarsToColors* function)
 {
   this->VectorColorFunction = function;
+}
+
+void vtkTexturedSplatsRepresentation::SetLengthUnit(double metres)
+{
+  this->SpeedKey->SetLengthUnit(metres);
+  this->LengthUnit = this->SpeedKey->GetLengthUnit(); // clamped
 }
 
 void vtkTexturedSplatsRepresentation::SetVectorColorArray(const char* name)
