@@ -12,9 +12,8 @@ import sys
 import numpy
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  the factory
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkVolume
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
 import nephoscope  # noqa: E402
@@ -69,29 +68,7 @@ def volume(data):
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectScalarArray("Sunlight")
     mapper.SetOpacityArrayName("ScaledExtinction")
-    colour, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
-    colour.AddRGBPoint(0, 0, 0, 0)
-    colour.AddRGBPoint(WHITE, 1.0, 0.98, 0.94)
-    opacity.AddPoint(0, 0)
-    opacity.AddPoint(MOST, 1)
-    drawn = vtkVolume()
-    drawn.SetMapper(mapper)
-    drawn.GetProperty().SetColor(colour)
-    drawn.GetProperty().SetScalarOpacity(opacity)
-    drawn.GetProperty().SetScalarOpacityUnitDistance(1 / MOST)
-    return drawn
-
-
-def water():
-    plane = vtkPlaneSource()
-    plane.SetOrigin(-2e5, -2e5, 0)
-    plane.SetPoint1(2e5, -2e5, 0)
-    plane.SetPoint2(-2e5, 2e5, 0)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(plane.GetOutputPort())
-    actor = vtk_globe.actor_of(mapper, ambient=1.0, diffuse=0.0)
-    actor.GetProperty().SetColor(WATER)
-    return actor
+    return vtk_globe.volume(mapper, [(0, 0, 0, 0), (WHITE, 1.0, 0.98, 0.94)], [(0, 0), (MOST, 1)], 1 / MOST)
 
 
 def panel(window, data, left, shadows):
@@ -99,7 +76,7 @@ def panel(window, data, left, shadows):
     renderer.SetViewport(left, 0, left + 0.5, 1)
     renderer.SetBackground(0.10, 0.16, 0.28)
     window.AddRenderer(renderer)
-    renderer.AddActor(water())
+    renderer.AddActor(vtk_globe.sea(WATER, 2e5))
     renderer.AddVolume(volume(data))
     vtk_globe.look(renderer, eye=(-6000, -2000, 700), focus=(8000, 0, 2000), up=(0, 0, 1), angle=42)
     renderer.ResetCameraClippingRange()

@@ -14,12 +14,11 @@ import numpy
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401  the factory
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataObject, vtkImageData, vtkPiecewiseFunction, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals, vtkProbeFilter
 from vtkmodules.vtkFiltersGeneral import vtkWarpScalar
 from vtkmodules.vtkFiltersGeometry import vtkImageDataGeometryFilter
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
-from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkBillboardTextActor3D, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "common"))
 import nephoscope  # noqa: E402
@@ -34,6 +33,7 @@ SUMMIT, RADIUS, CRATER = 2500.0, 8000.0, 450.0
 SPEED = 8.0            # of the wind, m/s, towards +x
 MOST = 0.02            # extinction of the clouds, 1/m
 WHITE = 0.62           # light that is shown as white
+WATER = (0.03, 0.11, 0.19)
 LABELS = (("smoke, 40 minutes old", (8000, 0, 4500)), ("air that rises faster than 1.2 m/s", (-4200, 3500, 3300)), ("wind at 60 m", (-9800, -10200, 500)))
 GROUND = ((0, 0.72, 0.66, 0.50), (40, 0.16, 0.24, 0.09), (700, 0.11, 0.19, 0.07), (1400, 0.28, 0.24, 0.15), (1900, 0.24, 0.20, 0.18), (2300, 0.16, 0.13, 0.12))
 
@@ -93,31 +93,6 @@ def ground():
     return vtk_globe.actor_of(mapper, ambient=0.30, diffuse=1.1)
 
 
-def water():
-    plane = vtkPlaneSource()
-    plane.SetOrigin(-3e5, -3e5, 0)
-    plane.SetPoint1(3e5, -3e5, 0)
-    plane.SetPoint2(-3e5, 3e5, 0)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(plane.GetOutputPort())
-    actor = vtk_globe.actor_of(mapper, ambient=1.0, diffuse=0.0)
-    actor.GetProperty().SetColor(0.03, 0.11, 0.19)
-    return actor
-
-
-def volume(mapper, colours, opacities, unit):
-    made, colour, opacity = vtkVolume(), vtkColorTransferFunction(), vtkPiecewiseFunction()
-    made.SetMapper(mapper)
-    for point in colours:
-        colour.AddRGBPoint(*point)
-    for point in opacities:
-        opacity.AddPoint(*point)
-    made.GetProperty().SetColor(colour)
-    made.GetProperty().SetScalarOpacity(opacity)
-    made.GetProperty().SetScalarOpacityUnitDistance(unit)
-    return made
-
-
 def cell_mapper(scalars, opacity=None):
     mapper = nephoscope.vtkCellCompositingMapper()
     mapper.SetScalarModeToUsePointFieldData()
@@ -144,7 +119,7 @@ def clouds():
     light.Update()
     mapper = cell_mapper("Sunlight", "ScaledExtinction")
     mapper.SetInputData(light.GetOutput())
-    return volume(mapper, ((0, 0.04, 0.05, 0.08), (0.3, 0.52, 0.50, 0.52), (WHITE, 1.0, 0.95, 0.86)), ((0, 0), (MOST, 1)), 1 / MOST)
+    return vtk_globe.volume(mapper, ((0, 0.04, 0.05, 0.08), (0.3, 0.52, 0.50, 0.52), (WHITE, 1.0, 0.95, 0.86)), ((0, 0), (MOST, 1)), 1 / MOST)
 
 
 def wind():
@@ -178,7 +153,7 @@ def smoke(data):
     flow.SetTimeStep(30)
     mapper = cell_mapper("SmoothDensity")
     mapper.SetInputConnection(flow.GetOutputPort())
-    return volume(mapper, ((0, 0.34, 0.27, 0.24), (1, 0.26, 0.18, 0.15)), ((0, 0), (1, 1)), 200)
+    return vtk_globe.volume(mapper, ((0, 0.34, 0.27, 0.24), (1, 0.26, 0.18, 0.15)), ((0, 0), (1, 1)), 200)
 
 
 def streaks(data):
@@ -186,17 +161,17 @@ def streaks(data):
     random = numpy.random.default_rng(2)
     places = numpy.column_stack((random.uniform(-17000, 20000, 2000), random.uniform(-15000, 15000, 2000), numpy.full(2000, 60.0)))
     places = places[height(places[:, 0], places[:, 1]) < 0]
-    points, cells, probe, wanted = vtkPoints(), vtkCellArray(), vtkProbeFilter(), vtkPolyData()
+    points, probe, at = vtkPoints(), vtkProbeFilter(), vtkPolyData()
     points.SetData(numpy_to_vtk(places, deep=1))
-    wanted.SetPoints(points)
-    probe.SetInputData(wanted)
+    at.SetPoints(points)
+    probe.SetInputData(at)
     probe.SetSourceData(data)
     probe.Update()
     mapper = nephoscope.vtkTexturedSplatMapper()
     mapper.SetInputData(probe.GetOutput())
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectScalarArray("Lift")
-    made = volume(mapper, ((0, 1, 1, 1),), ((0, 0), (1, 0)), 1e3)
+    made = vtk_globe.volume(mapper, ((0, 1, 1, 1),), ((0, 0), (1, 0)), 1e3)
     splat_scene.show_winds(mapper, 1.5 * SPEED, opacity=5, width=0.06, unit=240)
     mapper.SetRadiusFactor(0.6)
     mapper.SetVectorArrayName("Wind")
@@ -252,7 +227,7 @@ def label(words, place):
 
 def everything(renderer):
     air = wind()
-    for actor in (water(), ground(), rising_air(air), stratocumulus()):
+    for actor in (vtk_globe.sea(WATER, 3e5), ground(), rising_air(air), stratocumulus()):
         renderer.AddActor(actor)
     for drawn in (clouds(), smoke(air), streaks(air)):
         renderer.AddVolume(drawn)

@@ -18,9 +18,8 @@ import pictures
 import vtk_globe
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLookupTable
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
-from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer, vtkVolume
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkRenderer
 
 # Height in metres: warm below, cold above, all bright enough to be told apart over dark sea and over cloud.
 ALTITUDE_COLOURS = ((0, 1.00, 0.30, 0.12), (1500, 1.00, 0.52, 0.10), (3500, 1.00, 0.85, 0.20), (6000, 0.62, 0.95, 0.45),
@@ -103,16 +102,7 @@ def splats(grid, opacity, unit_distance, color=(1.0, 1.0, 1.0)):
     mapper.SetInputData(grid)
     mapper.SetScalarModeToUsePointFieldData()
     mapper.SelectScalarArray("cloud_fraction")
-    volume = vtkVolume()
-    volume.SetMapper(mapper)
-    colors, opacities = vtkColorTransferFunction(), vtkPiecewiseFunction()
-    colors.AddRGBPoint(0, *color)
-    for point in opacity:
-        opacities.AddPoint(*point)
-    volume.GetProperty().SetColor(colors)
-    volume.GetProperty().SetScalarOpacity(opacities)
-    volume.GetProperty().SetScalarOpacityUnitDistance(unit_distance)
-    return volume
+    return vtk_globe.volume(mapper, [(0, *color)], opacity, unit_distance)
 
 
 def altitude_colors():

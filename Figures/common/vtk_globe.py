@@ -8,11 +8,11 @@ import nephoscope
 import vtkmodules.vtkInteractionStyle  # noqa: F401
 import vtkmodules.vtkRenderingFreeType  # noqa: F401
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
-from vtkmodules.vtkCommonDataModel import vtkDataObject
-from vtkmodules.vtkFiltersSources import vtkTexturedSphereSource
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPiecewiseFunction
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkTexturedSphereSource
 from vtkmodules.vtkIOImage import vtkJPEGReader
 from vtkmodules.vtkIONetCDF import vtkNetCDFCFReader
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderWindow, vtkTextActor, vtkTexture
+from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderWindow, vtkTextActor, vtkTexture, vtkVolume
 
 INK = (0.78, 0.83, 0.90)
 ANALYSIS = os.path.join(globe_scene.DATA, "gfs_2p5deg_2011101100.nc")
@@ -59,6 +59,33 @@ def actor_of(mapper, ambient, diffuse):
     actor.SetMapper(mapper)
     actor.GetProperty().SetAmbient(ambient)
     actor.GetProperty().SetDiffuse(diffuse)
+    return actor
+
+
+def volume(mapper, colours, opacities, unit_distance):
+    """Colours as values with red, green and blue, opacities as values with opacity; the length over which an opacity of 1 gives an optical depth of 1."""
+    made, colour, opacity = vtkVolume(), vtkColorTransferFunction(), vtkPiecewiseFunction()
+    made.SetMapper(mapper)
+    for point in colours:
+        colour.AddRGBPoint(*point)
+    for point in opacities:
+        opacity.AddPoint(*point)
+    made.GetProperty().SetColor(colour)
+    made.GetProperty().SetScalarOpacity(opacity)
+    made.GetProperty().SetScalarOpacityUnitDistance(unit_distance)
+    return made
+
+
+def sea(color, reach):
+    """A level square around the origin, twice as wide as `reach`, which no light changes."""
+    plane = vtkPlaneSource()
+    plane.SetOrigin(-reach, -reach, 0)
+    plane.SetPoint1(reach, -reach, 0)
+    plane.SetPoint2(-reach, reach, 0)
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputConnection(plane.GetOutputPort())
+    actor = actor_of(mapper, ambient=1.0, diffuse=0.0)
+    actor.GetProperty().SetColor(*color)
     return actor
 
 

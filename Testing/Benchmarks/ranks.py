@@ -235,9 +235,8 @@ def main():
                 print(row(name, number, cells, used[number]), flush=True)
         print("\n| the same data | ranks | at rest: largest | mean | moving: largest | mean |\n" + 6 * "|---" + "|")
         for name in SCENES:
-            for number in numbers:
-                if 1 in numbers and number > 1:
-                    print(f"| {name} | {number} | {differences(prefix, name, number)} |", flush=True)
+            for number in numbers[1:]:
+                print(f"| {name} | {number} | {differences(prefix, name, number)} |", flush=True)
 
 
 if __name__ == "__main__":

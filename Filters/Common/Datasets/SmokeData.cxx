@@ -4,10 +4,12 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
@@ -18,6 +20,35 @@ namespace nephoscope
 namespace
 {
 constexpr const char* initialDensityName = "InitialDensity";
+
+// That of the youngest point; VTK_DOUBLE_MAX without ages.
+double LeastAge(vtkDataSet* cells)
+{
+  vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
+  double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
+  if (ages && ages->GetNumberOfTuples() > 0)
+  {
+    ages->GetFiniteRange(range);
+  }
+  return range[0];
+}
+
+// Those of the points that are at most so old.
+vtkBoundingBox BoundsOfYoung(vtkDataSet* cells, double age)
+{
+  vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
+  vtkBoundingBox box;
+  for (vtkIdType i = 0; ages && i < cells->GetNumberOfPoints(); ++i)
+  {
+    if (ages->GetComponent(i, 0) <= age)
+    {
+      double x[3];
+      cells->GetPoint(i, x);
+      box.AddPoint(x);
+    }
+  }
+  return box;
+}
 }
 
 vtkDataArray* SmokeDensity(vtkDataSet* cells)
@@ -59,36 +90,21 @@ double InitialSmokeDensity(vtkDataSet* cells)
   return density > 0.0 && std::isfinite(density) ? density : 0.0;
 }
 
-double LeastSmokeAge(vtkDataSet* cells)
+double WidthOfSmoke(vtkDataSet* cells, vtkMultiProcessController* ranks)
 {
-  vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
-  double range[2] = { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX };
-  if (ages && ages->GetNumberOfTuples() > 0)
+  const double youngestHere = LeastAge(cells);
+  double youngest = youngestHere;
+  if (ranks)
   {
-    ages->GetFiniteRange(range);
+    ranks->AllReduce(&youngestHere, &youngest, 1, vtkCommunicator::MIN_OP);
   }
-  return range[0];
-}
-
-vtkBoundingBox BoundsOfYoungSmoke(vtkDataSet* cells, double age)
-{
-  vtkDataArray* ages = cells ? cells->GetPointData()->GetArray("Age") : nullptr;
-  vtkBoundingBox box;
-  for (vtkIdType i = 0; ages && i < cells->GetNumberOfPoints(); ++i)
+  const vtkBoundingBox here = BoundsOfYoung(cells, youngest);
+  vtkBoundingBox layer = here;
+  if (ranks)
   {
-    if (ages->GetComponent(i, 0) <= age)
-    {
-      double x[3];
-      cells->GetPoint(i, x);
-      box.AddPoint(x);
-    }
+    ranks->AllReduce(here, layer);
   }
-  return box;
-}
-
-double DiameterOfSmoke(const vtkBoundingBox& bounds)
-{
-  return bounds.IsValid() ? bounds.GetDiagonalLength() / std::sqrt(2.0) : 0.0;
+  return layer.IsValid() ? layer.GetDiagonalLength() / std::sqrt(2.0) : 0.0;
 }
 
 } // namespace nephoscope

@@ -9,9 +9,9 @@
 
 #include "vtkNephoscopeFiltersCommonModule.h" // for export macro
 
-class vtkBoundingBox;
 class vtkDataArray;
 class vtkDataSet;
+class vtkMultiProcessController;
 
 namespace nephoscope
 {
@@ -40,20 +40,15 @@ VTKNEPHOSCOPEFILTERSCOMMON_EXPORT void PutInitialDensity(vtkDataSet* cells, doub
  */
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double InitialSmokeDensity(vtkDataSet* cells);
 
-/** The least age of a point; VTK_DOUBLE_MAX without ages. */
-VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double LeastSmokeAge(vtkDataSet* cells);
-
 /**
- * The bounds of the points that are at most so old: of the youngest layer, which is the generating
- * polygon.
+ * Diameter of a disc with the extent of the youngest layer of the smoke, which after vtkFlowVolume
+ * is the generating polygon; 0 without ages. The bounds of a disc of radius R have a diagonal of
+ * sqrt(8) R, however it is turned, so the result depends neither on how the points are spread over
+ * ranks, nor on the room that the smoke bends through.
+ * `ranks`: all of them call this, each with its piece of the smoke, which may be null; or null.
  */
-VTKNEPHOSCOPEFILTERSCOMMON_EXPORT vtkBoundingBox BoundsOfYoungSmoke(vtkDataSet* cells, double age);
-
-/**
- * Diameter of a disc with these bounds: a radius of R gives a diagonal of sqrt(8) R, however it is
- * turned. 0 without bounds.
- */
-VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double DiameterOfSmoke(const vtkBoundingBox& bounds);
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double WidthOfSmoke(
+  vtkDataSet* cells, vtkMultiProcessController* ranks);
 
 } // namespace nephoscope
 

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nephoscope
 {
@@ -84,27 +83,21 @@ double SmokeColumn(vtkDataSet* data, vtkMultiProcessController* ranks)
     ranks ? ranks->AllReduce(&mine, &all, 1, operation) : 0;
     return all;
   };
-  const auto united = [&](const vtkBoundingBox& mine) {
-    vtkBoundingBox all = mine;
-    ranks ? ranks->AllReduce(mine, all) : false;
-    return all;
-  };
-  const double youngest = reduced(
-    density ? LeastSmokeAge(data) : std::numeric_limits<double>::max(), vtkCommunicator::MIN_OP);
-  const double width =
-    DiameterOfSmoke(united(density ? BoundsOfYoungSmoke(data, youngest) : vtkBoundingBox()));
-  const vtkBoundingBox whole =
-    united(density ? vtkBoundingBox(data->GetBounds()) : vtkBoundingBox());
+  const double width = WidthOfSmoke(density ? data : nullptr, ranks);
+  const vtkBoundingBox here = density ? vtkBoundingBox(data->GetBounds()) : vtkBoundingBox();
+  vtkBoundingBox whole = here;
+  if (ranks)
+  {
+    ranks->AllReduce(here, whole);
+  }
   const double initial =
     reduced(density ? InitialSmokeDensity(data) : 0.0, vtkCommunicator::MAX_OP);
   const MassAndVolume mine = density ? MassOf(data, density) : MassAndVolume();
   const double mass = reduced(mine.Mass, vtkCommunicator::SUM_OP),
                volume = reduced(mine.Volume, vtkCommunicator::SUM_OP);
   const double mean = volume > 0 ? mass / volume : 0;
-  return (width > 0            ? width
-             : whole.IsValid() ? whole.GetDiagonalLength() / 50
-                               : 0) *
-    (initial > 0 ? initial : mean);
+  const double fallback = whole.IsValid() ? whole.GetDiagonalLength() / 50 : 0;
+  return (width > 0 ? width : fallback) * (initial > 0 ? initial : mean);
 }
 
 bool AddSmokeOptics(

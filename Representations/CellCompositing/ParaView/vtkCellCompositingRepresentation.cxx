@@ -6,7 +6,7 @@
 #include "ForwardedMessages.h"
 #include "RankMeasures.h"
 #include "RankRegions.h"
-#include "SmokeCells.h"
+#include "Ranks.h"
 #include "SmokeData.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
@@ -53,12 +53,15 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
     nephoscope::ReduceOverRanks(nephoscope::MeasureCells(this->Piece, medium, common));
   std::copy(mine.begin(), mine.end(), this->DataBounds);
   double smokeDistance = 0.0;
-  if (this->GetOpacityArrayName().empty() && nephoscope::IsSmoke(this->Piece) && all.Volume > 0.0)
+  const bool isSmoke =
+    nephoscope::MaximumOverRanks(nephoscope::SmokeDensity(this->Piece) ? 1 : 0) == 1;
+  if (this->GetOpacityArrayName().empty() && isSmoke && all.Volume > 0.0)
   {
     // The density at the polygon makes the times of an unsteady flow comparable.
     const double initial = nephoscope::InitialSmokeDensity(this->Piece);
     const double density = initial > 0.0 ? initial : all.ScalarIntegral / all.Volume;
-    smokeDistance = nephoscope::SmokeThickness(this->Piece) * density / smokeOpticalDepth;
+    smokeDistance =
+      nephoscope::WidthOfSmoke(this->Piece, nephoscope::OtherRanks()) * density / smokeOpticalDepth;
   }
 
   // The measures are those of a sample.

@@ -53,6 +53,30 @@ float DepthTiles::DepthAt(double z) const
   return static_cast<float>(std::min(std::max(depth, 0.0), 1.0));
 }
 
+// Device coordinates of the rectangle around a cube; all of the screen for one around the eye.
+DepthTiles::Rectangle DepthTiles::RectangleOf(
+  const std::array<double, 3>& place, double reach) const
+{
+  if (!this->IsParallel && place[2] + reach >= 0)
+  {
+    return { { -1, -1 }, { 1, 1 } };
+  }
+  constexpr double farAway = std::numeric_limits<double>::max();
+  Rectangle rectangle = { { farAway, farAway }, { -farAway, -farAway } };
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const auto side = [&](int axis) { return (corner >> axis & 1) != 0 ? reach : -reach; };
+    const std::array<double, 3> seen =
+      this->ToDevice(place[0] + side(0), place[1] + side(1), place[2] + side(2));
+    for (std::size_t axis = 0; axis < 2; ++axis)
+    {
+      rectangle.Low[axis] = std::min(rectangle.Low[axis], seen[axis]);
+      rectangle.High[axis] = std::max(rectangle.High[axis], seen[axis]);
+    }
+  }
+  return rectangle;
+}
+
 void DepthTiles::Add(const std::array<double, 3>& place, double reach)
 {
   const double nearest = place[2] + reach, farthest = place[2] - reach;
@@ -60,33 +84,17 @@ void DepthTiles::Add(const std::array<double, 3>& place, double reach)
   {
     return; // behind the eye
   }
-  double low[2] = { -1, -1 }, high[2] = { 1, 1 };
-  if (this->IsParallel || nearest < 0) // otherwise it may be seen anywhere
-  {
-    low[0] = low[1] = std::numeric_limits<double>::max();
-    high[0] = high[1] = -std::numeric_limits<double>::max();
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      const auto side = [&](int axis) { return (corner >> axis & 1) != 0 ? reach : -reach; };
-      const std::array<double, 3> seen =
-        this->ToDevice(place[0] + side(0), place[1] + side(1), place[2] + side(2));
-      for (int axis = 0; axis < 2; ++axis)
-      {
-        low[axis] = std::min(low[axis], seen[axis]);
-        high[axis] = std::max(high[axis], seen[axis]);
-      }
-    }
-  }
+  const Rectangle rectangle = this->RectangleOf(place, reach);
   const int size[2] = { this->Width, this->Height };
   int first[2], last[2];
-  for (int axis = 0; axis < 2; ++axis)
+  for (std::size_t axis = 0; axis < 2; ++axis)
   {
     const auto tile = [&](double device, double more) {
       const double pixel = (0.5 + 0.5 * device) * this->Pixels[axis] + more;
       return static_cast<int>(std::floor(std::min(std::max(pixel / Side, -1.0), size[axis] + 1.0)));
     };
-    first[axis] = std::max(tile(low[axis], -pixelsAround), 0);
-    last[axis] = std::min(tile(high[axis], pixelsAround), size[axis] - 1);
+    first[axis] = std::max(tile(rectangle.Low[axis], -pixelsAround), 0);
+    last[axis] = std::min(tile(rectangle.High[axis], pixelsAround), size[axis] - 1);
   }
   const float nearDepth = std::max(this->DepthAt(nearest) - depthMargin, 0.0f),
               farDepth = std::min(this->DepthAt(farthest) + depthMargin, 1.0f);

@@ -39,6 +39,11 @@ public:
   double GetFilling(double nearest, double farthest) const;
 
 private:
+  struct Rectangle
+  {
+    std::array<double, 2> Low, High;
+  };
+  Rectangle RectangleOf(const std::array<double, 3>& place, double reach) const;
   std::array<double, 3> ToDevice(double x, double y, double z) const;
   float DepthAt(double z) const;
 
