@@ -64,7 +64,7 @@ VolumeOrder::Part nephoscope::CellsInOrder::PartOf(
     return window && find()->ReasonToBeAlone(window).empty() ? RayMedia::Most : 1;
   };
   const auto mayBeSliced = [find]() { return !find()->DrawsTrianglesOrFaces(); };
-  return { draw, mixes, mayBeSliced, {} };
+  return { draw, mixes, mayBeSliced, {}, VolumeSlices::PerPass };
 }
 
 // Empty, or why this volume cannot be drawn together with others.

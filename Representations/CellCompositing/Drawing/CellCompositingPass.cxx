@@ -6,6 +6,7 @@
 
 #include "CellScene.h"
 #include "SavedState.h"
+#include "VolumeSlices.h"
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -101,8 +102,11 @@ std::string CellCompositingPass::CastPeel(
     return FloatLayer::CheckOpenGL("while asking for a peel");
   }
   FloatLayer::SetBlending(window->GetState());
-  const std::string error = this->CastRanges(window, viewport, cast);
-  if (!error.empty())
+  VolumeSlices* slices = VolumeSlices::GetCurrent();
+  const std::string error = slices
+    ? slices->DrawAtOnce(window, [&]() { return cast(viewport, &this->Peel, 0); })
+    : this->CastRanges(window, viewport, cast);
+  if (slices || !error.empty())
   {
     return error;
   }

@@ -12,7 +12,9 @@
 #include "SamplersApart.h"
 #include "ShaderInstance.h"
 #include "ShaderText.h"
+#include "SlicesOfRayShader.h"
 #include "VolumePeel.h"
+#include "VolumeSlices.h"
 
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -51,7 +53,7 @@ std::string CellDrawing::OwnConstants() const
 std::string CellDrawing::CommonConstants() const
 {
   return ShaderConstant("softwareOpenGL", IsSoftwareOpenGL()) + this->Options.Haze.Definition() +
-    HazeAlongRayShader;
+    HazeAlongRayShader + VolumeSlices::Definition() + SlicesOfRayShader;
 }
 
 // Where rays end: at the opaque depth, or at the ends of the ranges of a peel.
@@ -81,6 +83,7 @@ void CellDrawing::SetCommonUniforms(vtkShaderProgram* program) const
   SetSamplersApart(program);
   this->Options.Haze.SetUniforms(program);
   this->SetDepths(program);
+  VolumeSlices::SetUniforms(program);
   program->SetUniform4f("depthToVC", DepthToViewOf(this->View.ViewToDevice).data());
   vtkNew<vtkMatrix4x4> transposed; // as OpenGL wants it
   vtkMatrix4x4::Transpose(this->View.ViewToDevice, transposed);

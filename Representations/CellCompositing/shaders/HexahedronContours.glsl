@@ -111,6 +111,7 @@ void addSurface(int contour, vec2 front, vec2 range)
   if (front.x >= range.x && front.x < range.y)
   {
     vec3 normal = contourLighting ? contourNormal() : vec3(0.0);
+    closeSlices(light, front.x);
     light += (1.0 - light.a) * contourSurface(contour, front.y, normal, (MCVCMatrix * vec4(origin + front.x * along, 1.0)).xyz);
   }
   passContour(contour);

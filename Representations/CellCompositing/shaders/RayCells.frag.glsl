@@ -287,5 +287,5 @@ void main()
       break;
     }
   }
-  gl_FragData[0] = accumulatedLight();
+  PUT_LIGHT(light)
 }

@@ -117,12 +117,12 @@ bool isClear()
 void addPart(vec3 front, vec3 back, vec2 range)
 {
   vec2 z = vec2(max(front.x, range.x), min(back.x, range.y));
-  if (z.y > z.x)
+  FOR_EACH_SLICE(light, z, part)
   {
     vec4 before = accumulatedLight();
-    vec2 t = (z - front.x) / (back.x - front.x);
-    addSegment(mix(front.yz, back.yz, t.x), mix(front.yz, back.yz, t.y), z.y - z.x);
-    hazeAdded(before, z);
+    vec2 t = (part - front.x) / (back.x - front.x);
+    addSegment(mix(front.yz, back.yz, t.x), mix(front.yz, back.yz, t.y), part.y - part.x);
+    hazeAdded(before, part);
   }
 }
 
@@ -389,5 +389,5 @@ void main()
       break;
     }
   }
-  gl_FragData[0] = accumulatedLight();
+  PUT_LIGHT(light)
 }

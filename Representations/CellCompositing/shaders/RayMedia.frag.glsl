@@ -70,19 +70,25 @@ void startHaze()
 #endif
 }
 
+bool isTransparent()
+{
+  return transparencyOf(mixedLight) > 1.0e-7;
+}
+
 // From a place to an end, if that is near; returns how far.
 float walkTo(float end, float from)
 {
   const int eventsAtOnce = useHaze ? 32 : 1 << 20;
   float place = from;
-  for (int i = 0; i < eventsAtOnce && place < end && mixedLight.a < 0.9999999; ++i)
+  for (int i = 0; i < eventsAtOnce && place < end && isTransparent(); ++i)
   {
+    closeSlices(mixedLight, place);
     goOnInMedia(place);
     if (lostMedium >= 0 && !isLastAttempt)
     {
       break;
     }
-    nextPlace = end;
+    nextPlace = endInSlice(end);
     findEvents(place);
     if (nextPlace > place)
     {
@@ -102,7 +108,7 @@ void walkTogether()
   float end = min(mediaRange.y, mediaEnd);
   float place = mediaRange.x;
   lostMedium = -1;
-  for (int i = 0; i < most && place < end && mixedLight.a < 0.9999999; ++i)
+  for (int i = 0; i < most && place < end && isTransparent(); ++i)
   {
     fitHaze(place, 1.0e-5 * abs(place));
     place = walkTo(min(end, hazeTo), place);
@@ -127,6 +133,13 @@ void main()
   vec2 seenPlaces = vec2(-zFromDepth(depths.x), -zFromDepth(depths.y)) - firstPlane;
   mediaRange = vec2(max(plan.x, seenPlaces.x), plan.y);
   mediaEnd = seenPlaces.y;
+#ifdef IN_SLICES
+  vec4 ranges = texelFetch(depthRanges, pixel, 0);
+  for (int i = 0; i < SLICES; ++i)
+  {
+    sliceEnds[i] = -zFromDepth(sliceDepth(i + 1, ranges)) - firstPlane;
+  }
+#endif
   bool isEmpty = plan.z > 0.0 ? mediaRange.x >= mediaEnd : mediaRange.x >= min(mediaRange.y, mediaEnd);
   if (all(equal(entered, vec4(-1.0))) || isEmpty || depths.x >= depths.y)
   {
@@ -138,6 +151,7 @@ void main()
     isLastAttempt = attempt == 8;
     placeBesideOfMedia(attempt);
     mixedLight = vec4(0.0);
+    startSlices();
     startMedia();
     startHaze();
     walkTogether();
@@ -146,5 +160,5 @@ void main()
       break;
     }
   }
-  gl_FragData[0] = mixedLight;
+  PUT_LIGHT(mixedLight)
 }

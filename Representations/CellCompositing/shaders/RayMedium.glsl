@@ -262,12 +262,12 @@ void finishMedium(float place)
   {
     float from = max(max(pieceFrom, place), mediumRange.x);
     float to = min(pieceTo, mediumRange.y);
-    if (to > from)
+    FOR_EACH_SLICE(mixedLight, vec2(from, to), part)
     {
       clearMixture();
-      addMedium(from, to);
-      fitHaze(from, to - from);
-      addMixture(from, to);
+      addMedium(part.x, part.y);
+      fitHaze(part.x, part.y - part.x);
+      addMixture(part.x, part.y);
     }
     nextPiece();
     lostMedium = walkIsLost ? mediumNumber : lostMedium;

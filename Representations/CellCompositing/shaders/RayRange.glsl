@@ -12,6 +12,13 @@ vec2 visibleRange()
   float slope = dot(toZ.xyz, along);
   vec2 depths = visibleDepths();
   vec2 range = (vec2(zFromDepth(depths.x), zFromDepth(depths.y)) - atOrigin) / slope;
+#ifdef IN_SLICES
+  vec4 ranges = texelFetch(depthRanges, ivec2(gl_FragCoord.xy), 0);
+  for (int i = 0; i < SLICES; ++i)
+  {
+    sliceEnds[i] = (zFromDepth(sliceDepth(i + 1, ranges)) - atOrigin) / slope;
+  }
+#endif
 #ifdef CLIPPING_PLANES
   vec2 between = clippedRay((MCVCMatrix * vec4(origin, 1.0)).xyz, mat3(MCVCMatrix) * along);
   range = vec2(max(range.x, between.x), min(range.y, between.y));

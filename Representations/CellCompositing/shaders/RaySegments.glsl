@@ -87,12 +87,13 @@ void startSegments(float opticalScale)
 {
   light = vec4(0.0);
   opticalLength = opticalScale;
+  startSlices();
 }
 
 // What is behind adds less than 0.003/255.
 bool isOpaque()
 {
-  return light.a > 0.99999;
+  return transparencyOf(light) < 1.0e-5;
 }
 
 vec4 accumulatedLight()

@@ -14,6 +14,7 @@ void addSurface(int contour, vec2 range)
     vec3 normal = contourLighting ? contourNormal(ivec4(pointOf(face.x), pointOf(face.y), pointOf(face.z), pointOf(left)), weights) : vec3(0.0);
     vec4 surface = contourSurface(contour, scalars.x, normal, (MCVCMatrix * vec4(origin + z * along, 1.0)).xyz);
     transferTable = table;
+    closeSlices(light, z);
     light += (1.0 - light.a) * surface;
   }
 }
@@ -32,6 +33,7 @@ void addPolygon(int opposite, vec2 range)
     v = v.y > v.z ? v.xzy : v;
     weights = v.x > v.y ? weights.yxz : weights;
     ivec3 table = transferTable;
+    closeSlices(light, pass.x);
     light += (1.0 - light.a) *
       polygonSurface(polygonInFace(opposite), weights, pass.y, (MCVCMatrix * vec4(origin + pass.x * along, 1.0)).xyz);
     transferTable = table;

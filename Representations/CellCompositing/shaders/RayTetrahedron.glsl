@@ -102,16 +102,20 @@ void addPart(float place, bool crosses, float value, vec2 range)
   vec4 front = segmentFront, back = segmentBack;
   vec2 ends = useContours || useHaze ? mix(front.xx, back.xx, vec2(passedPlace, place)) : vec2(front.x, back.x);
   vec2 z = vec2(max(ends.x, range.x), min(ends.y, range.y));
-  if (z.y > z.x && !isHidden())
+  if (isHidden())
+  {
+    return;
+  }
+  FOR_EACH_SLICE(light, z, part)
   {
     vec4 before = accumulatedLight();
-    vec2 t = (z - front.x) / (back.x - front.x);
+    vec2 t = (part - front.x) / (back.x - front.x);
     vec2 from = mix(front.yz, back.yz, t.x);
     vec2 to = mix(front.yz, back.yz, t.y);
     if (useContours && contourOfColor) // where a transfer function may jump
     {
-      from.x = passedPlace > 0.0 && z.x == ends.x ? passedValue : from.x;
-      to.x = crosses && z.y == ends.y ? value : to.x;
+      from.x = passedPlace > 0.0 && part.x == ends.x ? passedValue : from.x;
+      to.x = crosses && part.y == ends.y ? value : to.x;
     }
     if (useCellScalars)
     {
@@ -121,8 +125,8 @@ void addPart(float place, bool crosses, float value, vec2 range)
     {
       from.y = to.y = element(opacityScalars, cellNumber()).r;
     }
-    addSegment(from, to, z.y - z.x);
-    hazeAdded(before, z);
+    addSegment(from, to, part.y - part.x);
+    hazeAdded(before, part);
   }
 }
 

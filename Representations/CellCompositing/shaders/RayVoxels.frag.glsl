@@ -46,5 +46,5 @@ void main()
   startSegments(length(mat3(MCVCMatrix) * along) * extinctionScale);
   startHaze();
   walkVoxels(visibleRange());
-  gl_FragData[0] = accumulatedLight();
+  PUT_LIGHT(light)
 }

@@ -96,6 +96,7 @@ int addPiecesToSurface()
 void addSurface(int contour)
 {
   vec3 normal = contourLighting ? contourNormal(pieceFront.x) : vec3(0.0);
+  closeSlices(light, pieceFront.x);
   light += (1.0 - light.a) * contourSurface(contour, pieceFront.y, normal, (MCVCMatrix * vec4(origin + pieceFront.x * along, 1.0)).xyz);
   passContour(contour);
 }

@@ -245,7 +245,8 @@ bool addThinCell(bool mustWait)
   }
   float opacity = max(max(values[0].a, values[1].a), max(values[2].a, values[3].a));
   bool isThin = averageIntegration || opacity * opticalLength * (places.w - places.x) <= 1.0;
-  bool fits = !mustWait && numberOfPieces <= 3.0 && splitAtControlPoints && highest <= interval.high && opacityIsLinear && isThin;
+  closeSlices(light, places.x);
+  bool fits = !mustWait && endsInSlice(places.w) && numberOfPieces <= 3.0 && splitAtControlPoints && highest <= interval.high && opacityIsLinear && isThin;
   if (fits)
   {
     addLinear(values[0], values[1], places.xy);
@@ -255,8 +256,8 @@ bool addThinCell(bool mustWait)
   return fits;
 }
 
-// The first piece, cut where the haze is fitted anew.
-void addHazedPiece()
+// The first piece, cut where slices end and where the haze is fitted anew.
+void addCutPiece()
 {
   const float mostParts = 32.0;
   float from = places.x;
@@ -268,20 +269,23 @@ void addHazedPiece()
       fitHaze(from, length / mostParts);
     }
     vec2 z = vec2(from, part + 1.0 == mostParts ? places.y : min(places.y, hazeTo));
-    vec2 parts = (z - places.x) / length;
-    vec2 s = mix(scalars.xx, scalars.yy, parts), o = mix(opacityScalarsHere.xx, opacityScalarsHere.yy, parts);
-    vec4 before = accumulatedLight();
-    addSegment(vec2(s.x, o.x), vec2(s.y, o.y), z.y - z.x);
-    hazeAdded(before, z);
+    FOR_EACH_SLICE(light, z, inSlice)
+    {
+      vec2 parts = (inSlice - places.x) / length;
+      vec2 s = mix(scalars.xx, scalars.yy, parts), o = mix(opacityScalarsHere.xx, opacityScalarsHere.yy, parts);
+      vec4 before = accumulatedLight();
+      addSegment(vec2(s.x, o.x), vec2(s.y, o.y), inSlice.y - inSlice.x);
+      hazeAdded(before, inSlice);
+    }
     from = z.y;
   }
 }
 
 void addFirstPiece()
 {
-  if (useHaze)
+  if (useHaze || inSlices)
   {
-    addHazedPiece();
+    addCutPiece();
   }
   else if (places.y > places.x)
   {

@@ -52,27 +52,18 @@ void FloatAccumulation::Allocate(vtkOpenGLRenderWindow* window, int width, int h
 }
 
 bool FloatAccumulation::Begin(vtkOpenGLRenderWindow* window, const int viewport[4], int layers,
-  vtkTextureObject* depth, Content content)
+  vtkTextureObject* depth, Content content, int first)
 {
-  this->Allocate(window, viewport[2], viewport[3], layers);
+  this->Allocate(window, viewport[2], viewport[3], first + layers);
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
-  this->Framebuffer->RemoveColorAttachment(1);
   this->Framebuffer->RemoveDepthAttachment();
-  for (int layer = 0; layer < layers; ++layer)
-  {
-    this->Framebuffer->AddColorAttachment(static_cast<unsigned int>(layer), this->Colors[layer]);
-  }
+  this->Attach(first, layers);
   if (depth)
   {
     this->SetDepth(depth);
   }
-  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(layers));
-  // vtkOpenGLState skips this call when the framebuffer that was bound before had as many draw
-  // buffers.
-  const GLenum buffers[2] = { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 };
-  glDrawBuffers(layers, buffers);
   state->vtkglViewport(0, 0, viewport[2], viewport[3]);
   state->vtkglDisable(GL_SCISSOR_TEST);
   const float transparent[4] = { 0, 0, 0, 0 };
@@ -81,6 +72,22 @@ bool FloatAccumulation::Begin(vtkOpenGLRenderWindow* window, const int viewport[
     glClearBufferfv(GL_COLOR, layer, transparent);
   }
   return glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+void FloatAccumulation::Attach(int first, int layers)
+{
+  GLenum buffers[MostLayers];
+  for (int layer = 0; layer < MostLayers; ++layer)
+  {
+    const auto number = static_cast<unsigned int>(layer);
+    buffers[layer] = GL_COLOR_ATTACHMENT0 + number;
+    layer < layers ? this->Framebuffer->AddColorAttachment(number, this->Colors[first + layer])
+                   : this->Framebuffer->RemoveColorAttachment(number);
+  }
+  this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(layers));
+  // vtkOpenGLState skips this call when the framebuffer that was bound before had as many draw
+  // buffers.
+  glDrawBuffers(layers, buffers);
 }
 
 void FloatAccumulation::SetDepth(vtkTextureObject* depth)

@@ -34,17 +34,18 @@ public:
   /**
    * Makes a transparent RGBA32F image of the viewport's size the draw target. To be paired with
    * End().
-   * With two layers there are two such images, gl_FragData[0] and [1]. `depth`, of the same size,
-   * becomes the depth buffer.
+   * With more layers there are as many such images, gl_FragData[0], [1] ..., from a first one on.
+   * `depth`, of the same size, becomes the depth buffer.
    * Keep: the images keep what they hold. Returns false when the framebuffer is not complete.
    */
+  static constexpr int MostLayers = 8; ///< every OpenGL has as many draw buffers
   enum Content
   {
     Clear,
     Keep
   };
   bool Begin(vtkOpenGLRenderWindow* window, const int viewport[4], int layers = 1,
-    vtkTextureObject* depth = nullptr, Content content = Clear);
+    vtkTextureObject* depth = nullptr, Content content = Clear, int first = 0);
   /** Between Begin() and End(): a texture of the images' size becomes the depth buffer. */
   void SetDepth(vtkTextureObject* depth);
   /** Restores the draw target and the viewport. */
@@ -65,10 +66,11 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers);
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height, int layers); // at least
+  void Attach(int first, int layers);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  vtkNew<vtkTextureObject> Colors[2];
+  vtkNew<vtkTextureObject> Colors[MostLayers];
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   int Size[2] = { 0, 0 };
 };

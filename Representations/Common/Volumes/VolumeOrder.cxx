@@ -102,7 +102,8 @@ std::vector<VolumeSlices::Medium> MediaOf(vtkRenderer* renderer, const Volumes& 
     const bool isMixed = areOne && mixes(volume) > 1;
     if (!isMixed || volume == mixed.front())
     {
-      media.push_back({ isMixed ? mixed : Volumes(1, volume), PartOf(volume)->AddTo });
+      media.push_back({ isMixed ? mixed : Volumes(1, volume), PartOf(volume)->AddTo,
+        PartOf(volume)->SlicesAtOnce });
     }
   }
   return media;

@@ -40,6 +40,8 @@ public:
     std::function<bool()> MayBeSliced;
     /** Adds what it draws; false: that may be anywhere in its box. Empty for the same. */
     std::function<bool(vtkRenderer*, vtkVolume*, DepthTiles&)> AddTo;
+    /** Slices that it draws at once: 2, as the ranges of a peel, or VolumeSlices::PerPass. */
+    int SlicesAtOnce = 2;
   };
   static void Enrol(vtkAbstractVolumeMapper* mapper, const Part& part);
   static void Leave(vtkAbstractVolumeMapper* mapper);

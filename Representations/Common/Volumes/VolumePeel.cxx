@@ -173,7 +173,7 @@ void VolumePeel::Deliver(vtkOpenGLRenderWindow* window, const Request& request,
 {
   if (VolumeSlices* slices = VolumeSlices::GetCurrent())
   {
-    slices->Take(window, firstLight, secondLight);
+    slices->Take(window, { firstLight, secondLight });
     return;
   }
   this->CopyTargets(window, std::min(2u, PeelingPass(request.Volume)->GetActiveDrawBuffers()));

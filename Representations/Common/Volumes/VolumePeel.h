@@ -64,7 +64,7 @@ public:
     DepthTest test = Nearest);
   /**
    * RGBA32F, one texel per pixel of the viewport: near and far depth of two ranges, empty where
-   * near >= far.
+   * near >= far. For more than two of VolumeSlices, what shaders/Slices.glsl needs.
    */
   vtkTextureObject* GetRanges() const { return this->Ranges; }
   /**

@@ -8,6 +8,7 @@
 #include "SliceLightFragment.h"
 #include "SliceRangesFragment.h"
 #include "SliceSumsFragment.h"
+#include "SlicesShader.h"
 #include "WholeViewport.h"
 
 #include "vtkAbstractVolumeMapper.h"
@@ -25,6 +26,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 namespace nephoscope
 {
@@ -76,14 +78,8 @@ Span OverlapOf(vtkCamera* camera, const std::vector<VolumeSlices::Medium>& media
   return span;
 }
 
-/** What the slices are divided by: distances from the eye's plane, and depths in [0, 1]. */
-struct Division
-{
-  double Distance;
-  float Depth;
-};
-
-/** In front of the span, in it, and behind it. */
+/** Distances from the eye's plane in front of the span, in it, and behind it; depths in [0, 1]. */
+template <class Division>
 std::vector<Division> Divide(vtkRenderer* renderer, const std::array<double, 2>& span, int count)
 {
   vtkMatrix4x4* matrix = renderer->GetActiveCamera()->GetProjectionTransformMatrix(
@@ -101,6 +97,29 @@ std::vector<Division> Divide(vtkRenderer* renderer, const std::array<double, 2>&
   return divisions;
 }
 
+/** For shaders: how many slices there are, what is done for each, and their outputs. */
+std::string Macros(int count)
+{
+  std::string each = "#define EACH_SLICE(what)", put = "#define PUT_SLICES(colors)";
+  for (int i = 0; i < count; ++i)
+  {
+    const std::string number = std::to_string(i);
+    each += " what(" + number + ")";
+    put += " gl_FragData[" + number + "] = colors[" + number + "];";
+  }
+  return "#define SLICES " + std::to_string(count) + "\n" + each + "\n" + put + "\n";
+}
+
+std::vector<vtkTextureObject*> LayersOf(const FloatAccumulation& image)
+{
+  std::vector<vtkTextureObject*> layers;
+  for (int i = 0; i < VolumeSlices::PerPass; ++i)
+  {
+    layers.push_back(image.GetTexture(i));
+  }
+  return layers;
+}
+
 class InTurn // Draw() may be left by an exception of an observer
 {
 public:
@@ -115,6 +134,13 @@ bool IsMoving(vtkRenderer* renderer)
   return renderer->GetRenderWindow()->GetDesiredUpdateRate() >= 1;
 }
 }
+
+/** What the slices are divided by. */
+struct VolumeSlices::Division
+{
+  double Distance; // from the eye's plane
+  float Depth;
+};
 
 vtkBoundingBox VolumeSlices::Medium::GetBox() const
 {
@@ -157,20 +183,23 @@ void VolumeSlices::Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& vo
     this->Source = this->Depth.GetTexture();
   }
   this->FindSpans(renderer, media);
-  this->Light.Begin(window, this->Viewport, 2); // clears
-  this->Light.End(window);
-  this->DrawSlices(renderer, volumes, draw);
+  for (this->Range = 0; this->Range < (this->Peeled ? 2 : 1); ++this->Range)
+  {
+    this->Light[this->Range].Begin(window, this->Viewport); // clears
+    this->Light[this->Range].End(window);
+    this->DrawSlices(renderer, media, draw);
+  }
   state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
   if (this->Peeled)
   {
     this->Outer.Deliver(
-      window, request, this->Viewport, this->Light.GetTexture(0), this->Light.GetTexture(1));
+      window, request, this->Viewport, this->Light[0].GetTexture(0), this->Light[1].GetTexture(0));
   }
   else
   {
     state->vtkglDisable(GL_SCISSOR_TEST);
     state->vtkglBlendEquation(GL_FUNC_ADD);
-    this->Light.Overlay(window, this->Viewport);
+    this->Light[0].Overlay(window, this->Viewport);
   }
 }
 
@@ -194,39 +223,77 @@ void VolumeSlices::FindSpans(vtkRenderer* renderer, const std::vector<Medium>& m
     areWorthwhile ? this->Spans.Draw(renderer, boxes, tiles, this->Viewport) : nullptr;
 }
 
-// From front to back. Without a peel two slices are drawn at once, as the two ranges of a peel.
-// Rays that lie in one volume at a time are drawn in the first and the last slice, of all depths
-// (SliceRanges); the others have only what is between their planes.
+// From front to back. Rays that lie in one volume at a time are drawn in the first and the last
+// slice, of all depths (SliceRanges); the others have only what is between their planes.
 void VolumeSlices::DrawSlices(
-  vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw)
+  vtkRenderer* renderer, const std::vector<Medium>& media, const Drawer& draw)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  const int passes = IsMoving(renderer) ? PassesInMotion : Passes;
   const std::vector<Division> ends =
-    Divide(renderer, this->Overlap, IsMoving(renderer) ? Count / 4 : Count);
-  const std::size_t step = this->Peeled ? 1 : 2, last = ends.size() - 1;
-  for (std::size_t i = 0; i < last; i += step)
+    Divide<Division>(renderer, this->Overlap, passes * PerPass - 2);
+  for (std::size_t first = 0; first + 1 < ends.size(); first += PerPass)
   {
-    const std::size_t next = this->Peeled ? i : std::min(i + 1, last);
-    const Division &first = ends[i], &end = ends[std::min(next + 1, last)];
-    this->Slice[0] = first.Depth;
-    this->Slice[1] = ends[i + 1].Depth;
-    this->Slice[2] = ends[next].Depth;
-    this->Slice[3] = end.Depth;
-    const bool within = !this->Spanned || (i > 0 && next + 1 < last);
-    this->Front = i == 0;
-    this->Distances = { within ? first.Distance : -farAway, within ? end.Distance : farAway };
-    this->Depths =
-      within ? std::array<float, 2>{ first.Depth, end.Depth } : std::array<float, 2>{ 0, 1 };
-    this->Sums.Begin(window, this->Viewport, 2); // clears
+    this->Sums.Begin(window, this->Viewport, PerPass); // clears
     this->Sums.End(window);
-    const InTurn turn(this);
-    for (vtkVolume* volume : volumes)
+    for (const Medium& medium : media)
     {
-      window->GetState()->vtkglViewport(
+      this->DrawPass(renderer, medium, ends, first, draw);
+    }
+    FloatAccumulation& light = this->Light[this->Range];
+    light.Begin(window, this->Viewport, 1, nullptr, FloatAccumulation::Keep);
+    window->GetState()->vtkglBlendFuncSeparate(
+      GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE); // below what is there
+    this->Draw(window, SliceLightFragment, LayersOf(this->Sums));
+    light.End(window);
+  }
+}
+
+void VolumeSlices::DrawPass(vtkRenderer* renderer, const Medium& medium,
+  const std::vector<Division>& ends, std::size_t first, const Drawer& draw)
+{
+  vtkOpenGLState* state =
+    vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow())->GetState();
+  const InTurn turn(this);
+  for (this->First = 0; this->First < PerPass; this->First += medium.SlicesAtOnce)
+  {
+    this->SelectSlices(ends, first + static_cast<std::size_t>(this->First), medium.SlicesAtOnce);
+    for (vtkVolume* volume : medium.Volumes)
+    {
+      state->vtkglViewport(
         this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
       draw(renderer, volume);
     }
-    this->Lay(window);
+  }
+}
+
+void VolumeSlices::SelectSlices(const std::vector<Division>& ends, std::size_t first, int count)
+{
+  const std::size_t last = ends.size() - 1;
+  const auto at = [&](int i) { return ends[std::min(first + static_cast<std::size_t>(i), last)]; };
+  for (int i = 0; i <= count; ++i)
+  {
+    this->Ends[i] = at(i).Depth;
+  }
+  this->AtOnce = count;
+  this->Front = first == 0;
+  const bool within =
+    !this->Spanned || (!this->Front && first + static_cast<std::size_t>(count) < last);
+  this->Distances = { within ? at(0).Distance : -farAway, within ? at(count).Distance : farAway };
+  this->Depths =
+    within ? std::array<float, 2>{ at(0).Depth, at(count).Depth } : std::array<float, 2>{ 0, 1 };
+}
+
+std::string VolumeSlices::Definition()
+{
+  return current ? "#define IN_SLICES\n" + Macros(PerPass) + SlicesShader : std::string();
+}
+
+void VolumeSlices::SetUniforms(vtkShaderProgram* program)
+{
+  if (current)
+  {
+    program->SetUniform1fv("sliceDepths", PerPass + 1, current->Ends);
   }
 }
 
@@ -234,78 +301,86 @@ vtkShaderProgram* VolumeSlices::ReadyRanges(vtkOpenGLRenderWindow* window, bool 
 {
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, SliceRangesFragment, "");
-  if (program)
+  if (!program)
   {
-    this->Source->Activate();
-    program->SetUniformi("source", this->Source->GetTextureUnit());
-    program->SetUniformi("haveSpans", this->Spanned != nullptr);
-    if (this->Spanned)
-    {
-      this->Spanned->Activate();
-      program->SetUniformi("spans", this->Spanned->GetTextureUnit());
-      this->Spanned->Deactivate(); // units keep their textures until others are bound there
-    }
-    program->SetUniformi("ofPeel", this->Peeled);
-    program->SetUniformi("farthestDepth", farthestDepth);
-    program->SetUniform4f("slice", this->Slice);
-    this->Source->Deactivate();
+    return nullptr;
   }
+  vtkTextureObject* lightBefore = this->Light[this->Range].GetTexture(0);
+  vtkTextureObject* spans = this->Spanned ? this->Spanned : this->Source;
+  this->Source->Activate();
+  spans->Activate();
+  lightBefore->Activate();
+  program->SetUniformi("source", this->Source->GetTextureUnit());
+  program->SetUniformi("haveSpans", this->Spanned != nullptr);
+  program->SetUniformi("spans", spans->GetTextureUnit());
+  program->SetUniformi("lightBefore", lightBefore->GetTextureUnit());
+  program->SetUniformi("ofPeel", this->Peeled);
+  program->SetUniformi("rangeOfPeel", this->Range);
+  program->SetUniformi("farthestDepth", farthestDepth);
+  program->SetUniformi("inPairs", this->AtOnce == 2);
+  const float ends[3] = { this->Ends[0], this->Ends[1], this->Ends[this->AtOnce] };
+  program->SetUniform3f("ends", ends);
+  lightBefore->Deactivate(); // units keep their textures until others are bound there
+  spans->Deactivate();
+  this->Source->Deactivate();
   return program;
 }
 
-void VolumeSlices::Take(
-  vtkOpenGLRenderWindow* window, vtkTextureObject* first, vtkTextureObject* second)
+std::string VolumeSlices::DrawAtOnce(
+  vtkOpenGLRenderWindow* window, const std::function<std::string()>& cast)
 {
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, SliceSumsFragment, "");
-  if (!program)
+  const std::string error = this->Image.Begin(window, this->Viewport, PerPass)
+    ? cast()
+    : "this OpenGL cannot draw into 32-bit float images";
+  this->Image.End(window);
+  if (error.empty())
   {
-    return;
+    this->Take(window, LayersOf(this->Image));
   }
-  vtkOpenGLState* state = window->GetState();
-  const SavedState saved(state);
-  this->Sums.Begin(window, this->Viewport, 2, nullptr, FloatAccumulation::Keep);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-  first->Activate();
-  second->Activate();
-  program->SetUniformi("firstLight", first->GetTextureUnit());
-  program->SetUniformi("secondLight", second->GetTextureUnit());
-  DrawWholeViewport(this->VertexArray);
-  first->Deactivate();
-  second->Deactivate();
+  return error;
+}
+
+void VolumeSlices::Take(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkTextureObject*>& lights)
+{
+  const SavedState saved(window->GetState());
+  this->Sums.Begin(window, this->Viewport, static_cast<int>(lights.size()), nullptr,
+    FloatAccumulation::Keep, this->First);
+  window->GetState()->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+  this->Draw(window, SliceSumsFragment, lights);
   this->Sums.End(window);
 }
 
-// Below the light of the slices before.
-void VolumeSlices::Lay(vtkOpenGLRenderWindow* window)
+void VolumeSlices::Draw(vtkOpenGLRenderWindow* window, const char* shader,
+  const std::vector<vtkTextureObject*>& textures)
 {
+  const int count = static_cast<int>(textures.size());
+  std::string fragment = shader;
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Output::Dec", "//VTK::Output::Dec\n" + Macros(count));
   vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, SliceLightFragment, "");
+    window->GetShaderCache()->ReadyShaderProgram(wholeViewportVertex, fragment.c_str(), "");
   if (!program)
   {
     return;
   }
   vtkOpenGLState* state = window->GetState();
-  this->Light.Begin(window, this->Viewport, 2, nullptr, FloatAccumulation::Keep);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
-  state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-  vtkTextureObject *first = this->Sums.GetTexture(0), *second = this->Sums.GetTexture(1);
-  first->Activate();
-  second->Activate();
-  program->SetUniformi("firstSums", first->GetTextureUnit());
-  program->SetUniformi("secondSums", second->GetTextureUnit());
-  program->SetUniformi("ofPeel", this->Peeled);
+  std::vector<int> units;
+  for (vtkTextureObject* texture : textures)
+  {
+    texture->Activate();
+    units.push_back(texture->GetTextureUnit());
+  }
+  program->SetUniform1iv("slices", count, units.data());
   DrawWholeViewport(this->VertexArray);
-  first->Deactivate();
-  second->Deactivate();
-  this->Light.End(window);
+  for (vtkTextureObject* texture : textures)
+  {
+    texture->Deactivate();
+  }
 }
 
 void VolumeSlices::ReleaseGraphicsResources(vtkWindow* window)
@@ -313,8 +388,10 @@ void VolumeSlices::ReleaseGraphicsResources(vtkWindow* window)
   this->Outer.ReleaseGraphicsResources(window);
   this->Spans.ReleaseGraphicsResources(window);
   this->Depth.ReleaseGraphicsResources(window);
+  this->Image.ReleaseGraphicsResources(window);
   this->Sums.ReleaseGraphicsResources(window);
-  this->Light.ReleaseGraphicsResources(window);
+  this->Light[0].ReleaseGraphicsResources(window);
+  this->Light[1].ReleaseGraphicsResources(window);
   this->VertexArray->ReleaseGraphicsResources();
 }
 

@@ -4,10 +4,11 @@
  * Draws volumes that overlap in space but use different methods, such as cells and splats, in
  * slices of depth.
  *
- * Every volume draws its part of a slice into an image of its own, as it answers a peel
- * (VolumePeel.h). In a slice all of them are one medium: optical depths add, and each shines in
- * proportion to its own. With colours and extinctions that are constant in a slice this is exact;
- * where they change, the error falls with the square of the number of slices.
+ * Some slices are drawn in one pass: every volume draws its part of each of them into an image of
+ * its own, along with its answer to a peel (VolumePeel.h); its shader follows shaders/Slices.glsl.
+ * In a slice all volumes are one medium: optical depths add, and each shines in proportion to its
+ * own. With colours and extinctions that are constant in a slice this is exact; where they change,
+ * the error falls with the square of the number of slices.
  */
 #ifndef nephoscope_VolumeSlices_h
 #define nephoscope_VolumeSlices_h
@@ -23,6 +24,7 @@
 
 #include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -50,14 +52,13 @@ public:
   {
     std::vector<vtkVolume*> Volumes;
     std::function<bool(vtkRenderer*, vtkVolume*, DepthTiles&)> AddTo; ///< VolumeOrder::Part
+    int SlicesAtOnce = 2;                                             ///< VolumeOrder::Part
 
     vtkBoundingBox GetBox() const;
   };
-  /**
-   * Where the boxes of two volumes overlap there are so many slices; a quarter of them while the
-   * camera moves.
-   */
-  static constexpr int Count = 32;
+  static constexpr int PerPass = FloatAccumulation::MostLayers;
+  /** Of a picture, and while the camera moves. The first and the last slice lie outside overlaps. */
+  static constexpr int Passes = 5, PassesInMotion = 1;
 
   void Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes,
     const std::vector<Medium>& media, const Drawer& draw);
@@ -76,21 +77,38 @@ public:
   ///@{
   /** The queries that VolumePeel makes instead of those to a peeling pass. */
   vtkShaderProgram* ReadyRanges(vtkOpenGLRenderWindow* window, bool farthestDepth);
-  void Take(vtkOpenGLRenderWindow* window, vtkTextureObject* first, vtkTextureObject* second);
+  void Take(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureObject*>& lights);
+  ///@}
+  ///@{
+  /**
+   * For volumes that draw PerPass slices at once: constants and functions for their shaders, empty
+   * where no slices are drawn; uniforms; calls `cast`, which draws into as many layers.
+   */
+  static std::string Definition();
+  static void SetUniforms(vtkShaderProgram* program);
+  std::string DrawAtOnce(
+    vtkOpenGLRenderWindow* window, const std::function<std::string()>& cast);
   ///@}
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   void FindSpans(vtkRenderer* renderer, const std::vector<Medium>& media);
+  struct Division;
   void DrawSlices(
-    vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes, const Drawer& draw);
-  void Lay(vtkOpenGLRenderWindow* window);
+    vtkRenderer* renderer, const std::vector<Medium>& media, const Drawer& draw);
+  void DrawPass(vtkRenderer* renderer, const Medium& medium, const std::vector<Division>& ends,
+    std::size_t first, const Drawer& draw);
+  void SelectSlices(const std::vector<Division>& ends, std::size_t first, int count);
+  /** To what is there. */
+  void Draw(vtkOpenGLRenderWindow* window, const char* shader,
+    const std::vector<vtkTextureObject*>& textures);
 
   VolumePeel Outer; // of the pass that peels surfaces
   OpaqueDepth Depth;
-  FloatAccumulation Sums;  // of a pair of slices: optical depth, and colours by it
-  FloatAccumulation Light; // of all before
+  FloatAccumulation Image;    // of a volume that draws all slices of a pass at once
+  FloatAccumulation Sums;     // of all volumes in these: optical depth, and colours by it
+  FloatAccumulation Light[2]; // of all before, in each range of a peel
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; // without attributes
   vtkTextureObject* Source = nullptr;             // ranges of the pass, or the opaque depth
   VolumeSpans Spans;
@@ -98,7 +116,9 @@ private:
   std::array<double, 2> Overlap = { 0, 0 }; // distances between which media overlap
   bool Peeled = false;
   int Viewport[4] = { 0, 0, 0, 0 };
-  float Slice[4] = { 0, 1, 0, 1 }; // depths, near and far, of a pair
+  int Range = 0;                   // of the peel
+  int First = 0, AtOnce = 2;       // slices of the pass that are drawn now
+  float Ends[PerPass + 1] = {};    // their depths
   std::array<float, 2> Depths = { 0, 1 };
   std::array<double, 2> Distances = { 0, 0 };
   bool Front = false;

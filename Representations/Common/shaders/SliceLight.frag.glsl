@@ -2,24 +2,21 @@
 //VTK::Output::Dec
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The light of a pair of slices in which media are mixed evenly: (1 - exp(-d)) of their mean colour, where d is their optical depth.
-//   in:  sums of optical depths, and of colours times these (see SliceSums)
-//   out: the light of the first slice over the second; with ofPeel that of each. To be laid below what is there
-uniform sampler2D firstSums;
-uniform sampler2D secondSums;
-uniform bool ofPeel;
+// The light of slices in which media are mixed evenly: (1 - exp(-d)) of their mean colour, where d is their optical depth.
+//   in:  slices: sums of optical depths, and of colours times these (see SliceSums)
+//   out: the light of all slices, each over the next. To be laid below what is there
+uniform sampler2D slices[SLICES];
 
-vec4 light(vec4 sums)
+vec4 lightOf(vec4 sum)
 {
-  float opacity = 1.0 - exp(-sums.a);
-  return vec4(sums.rgb * (sums.a > 1.0e-4 ? opacity / sums.a : 1.0 - 0.5 * sums.a), opacity);
+  float opacity = 1.0 - exp(-sum.a);
+  return vec4(sum.rgb * (sum.a > 1.0e-4 ? opacity / sum.a : 1.0 - 0.5 * sum.a), opacity);
 }
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vec4 first = light(texelFetch(firstSums, pixel, 0));
-  vec4 second = light(texelFetch(secondSums, pixel, 0));
-  gl_FragData[0] = ofPeel ? first : first + (1.0 - first.a) * second;
-  gl_FragData[1] = ofPeel ? second : vec4(0.0);
+  vec4 light = vec4(0.0);
+#define ADD_LIGHT(i) light += (1.0 - light.a) * lightOf(texelFetch(slices[i], ivec2(gl_FragCoord.xy), 0));
+  EACH_SLICE(ADD_LIGHT)
+  gl_FragData[0] = light;
 }
