@@ -58,7 +58,7 @@ public:
   };
   static constexpr int PerPass = FloatAccumulation::MostLayers;
   /** Of a picture, and while the camera moves. The first and the last slice lie outside overlaps. */
-  static constexpr int Passes = 5, PassesInMotion = 1;
+  static constexpr int Passes = 4, PassesInMotion = 1;
 
   void Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes,
     const std::vector<Medium>& media, const Drawer& draw);
