@@ -4,6 +4,7 @@
 import math
 import os
 import unittest
+import warnings
 from pathlib import Path
 
 import nephoscope
@@ -93,6 +94,42 @@ class Colours(Picture):
     def test_opacity_is_a_factor(self):
         self.add(coverage=1.0, opacity=0.5)
         np.testing.assert_allclose(self.picture().mean(), 0.5 * SEEN, atol=0.02)
+
+
+class AmongVolumes(Picture):
+    def test_order(self):
+        """A green sheet behind, inside and in front of a red cube, whichever is added first: the clearer the red, the less of it is in front."""
+        for sheet_first in (False, True):
+            seen = []
+            for z in (-1, 0, 1):
+                self.plotter.clear()
+                self.plotter.renderer.UseDepthPeelingForVolumesOff()
+                cube = pyvista.ImageData(dimensions=(5, 5, 5), spacing=(0.25,) * 3, origin=(-0.5,) * 3)
+                cube["density"] = np.ones(125)
+                add = [lambda: nephoscope.add_cells(self.plotter, cube, color="red", opacity=[0.5, 0.5], clim=(0, 2), opacity_unit_distance=0.3),
+                       lambda: self.add(pyvista.Plane(center=(0, 0, z), i_size=2, j_size=2), color="lime", coverage=1)]
+                for one in add[::-1] if sheet_first else add:
+                    one()
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    seen.append(self.picture()[SIZE // 2, SIZE // 2, :2])
+            through, half = np.exp(-0.5 / 0.3), np.exp(-0.25 / 0.3)
+            expected = [(1 - through, through * SEEN), (1 - half + half * (1 - SEEN) * (1 - half), half * SEEN), ((1 - SEEN) * (1 - through), SEEN)]
+            np.testing.assert_allclose(seen, expected, atol=5 / 255)
+
+
+class Shading(Picture):
+    def test_smooth_with_normals(self):
+        """A coarse sphere: with normals no edges, unless the user wants them; without normals facets."""
+        sphere = pyvista.Sphere(radius=0.45, theta_resolution=8, phi_resolution=8)
+        bare = sphere.copy()
+        bare.clear_data()
+        for mesh, options, is_smooth in ((sphere, {}, True), (bare, {}, False), (sphere, {"smooth_shading": False}, False)):
+            self.plotter.clear_actors()
+            self.add(mesh, color=(0.4, 0.4, 0.4), coverage=1, lighting=True, relief=0, softness=0, **options)
+            edges = np.abs(np.diff(self.picture()[50:150, 50:150], axis=1)).max()
+            print(f"  largest step {255 * edges:.0f}")
+            self.assertEqual(edges < 4 / 255, is_smooth, options)
 
 
 class Background(Picture):

@@ -161,8 +161,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     coordinates : sequence of 2 str, default: ("TextureCoordinates1", "TextureCoordinates2")
         Point arrays of texture coordinates. Missing arrays are ignored.
     peels : int, default: 8
-        Number of depth peels of the renderer, which draw clouds behind one another in order. Multi-sampling is turned off for it. 0: the plotter
-        is not changed.
+        Number of depth peels of the renderer, which draw clouds in order: behind one another, and in front of, inside and behind the volumes of `add_cells`,
+        `add_splats` and `add_smoke`. Multi-sampling is turned off for it. 0: the plotter is not changed.
     sun : sequence of 3 float, str, dict or True, optional
         Lights the surface by the sun, given as in `add_cells`. A surface made by `cloud_surface` from lit data carries the array ``Sunlight``, with the shadows of
         the clouds: True uses it. Otherwise True is the direction (1, -1, 1), and the surface is sunlit, except on the night side of a globe and in the shadows of ``{'clouds': lit_clouds}``. A light
@@ -170,7 +170,8 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     exposure, tone_mapping
         As in `add_cells`.
     **options
-        Other arguments of `pyvista.Plotter.add_mesh`: `cmap`, `clim`, `opacity`, `lighting`, `specular`, `name`, ...
+        Other arguments of `pyvista.Plotter.add_mesh`: `cmap`, `clim`, `opacity`, `lighting`, `specular`, `name`, ... A surface with normals, as from
+        `cloud_surface`, is smooth unless `smooth_shading` is False.
 
     Returns
     -------
@@ -241,9 +242,12 @@ def add_cloud_texture(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np
     render = options.pop("render", True)
     actor = add_mesh(plotter, surface, scalars if isinstance(scalars, str) else "Data", scalars=scalars, render=False, **options)  # its mapper is not yet ours
     _replace_mapper(plotter, actor, mapper)
+    if "smooth_shading" not in options and surface.point_data.GetNormals() is not None and actor.prop.interpolation.name == "FLAT":
+        actor.prop.interpolation = "Phong"
     warn_when_exported(plotter)
     if peels > 0:
         plotter.enable_depth_peeling(peels)
+        plotter.renderer.UseDepthPeelingForVolumesOn()  # as in ParaView: the clouds may be in front of volumes, or in them
         plotter.render_window.SetMultiSamples(0)  # VTK does not peel in a multi-sampled window
     if render:
         plotter.render()
