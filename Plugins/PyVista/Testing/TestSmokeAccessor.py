@@ -37,6 +37,46 @@ def mass(smoke):
     return float(np.sum(smoke.compute_cell_sizes(length=False, area=False)["Volume"] * smoke.cell_data["Density"]))
 
 
+def wind_over(*extents):
+    """10 m/s along x and a little along y, on a grid with axes of these lengths."""
+    mesh = pyvista.RectilinearGrid(*(np.linspace(0, extent, 9) for extent in extents))
+    mesh["wind"] = np.tile((10.0, 1.0, 0.0), (mesh.n_points, 1))
+    return mesh
+
+
+class Units(unittest.TestCase):
+    """Smoke that is short because of the units of coordinates or times: a sentence says so, and what to do."""
+
+    def told(self, mesh, **options):
+        with warnings.catch_warnings(record=True) as told:
+            warnings.simplefilter("always")
+            nephoscope.flow_volume(mesh, **options)
+        return [str(one.message) for one in told if str(one.message).startswith("At its mean speed")]
+
+    def test_degrees_and_metres(self):
+        for height in (1e4, 1e3):
+            (told,) = self.told(wind_over(60, 40, height))
+            self.assertRegex(told, r"60 x 40 x 1e\+0., in 6 seconds\. .*degrees.*mesh\.nephoscope\.globe\(\), kilometres by mesh\.scale\(1000\)")
+
+    def test_kilometres(self):
+        mesh = wind_over(3000, 2000, 15)
+        for times, options in (([0, 21600], {}), ([0, 6], {"time_scale": 3600})):
+            (told,) = self.told([mesh] * 2, times=times, **options)
+            self.assertRegex(told, r"in 300 seconds, but there are 2.16e\+04 seconds from .*mesh\.scale\(1000\)")
+        self.assertEqual(self.told([mesh.scale(1000)] * 2, times=[0, 86400]), [])
+
+    def test_hours(self):
+        mesh = wind_over(3e6, 2e6, 15e3)
+        (told,) = self.told([mesh] * 2, times=[0, 24])
+        self.assertRegex(told, "only 24 seconds .*time_scale=3600")
+        self.assertEqual(self.told([mesh] * 2, times=[0, 24], time_scale=3600), [])
+        self.assertEqual(self.told([mesh] * 2, times=[0, 24], time=2), [])
+
+    def test_none(self):
+        for extents in ((60, 40, 10), (3000, 2000, 15), (3e6, 2e6, 15e3), (1, 0.2, 0.2)):
+            self.assertEqual(self.told(wind_over(*extents)), [], extents)
+
+
 class Obstacles(unittest.TestCase):
     """Smoke that ends at a body inside the data is told; smoke that leaves the data is not."""
 

@@ -16,6 +16,7 @@ from ._checks import arrays_of, choose, listed, require_number, require_winds
 from ._from_xarray import meshed
 from ._pipeline import _renamed, set_input, vtk_messages
 from ._series import Grids, Series
+from ._smoke_units import warn_of_units
 from ._typing import Numbers
 
 # Terms in messages of vtkFlowVolume, and their names in Python.
@@ -116,7 +117,8 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     -----
     RuntimeWarning
         The warnings of the filter: a polygon partly outside the data, smoke that ended at a body, smoke coarser than requested or much coarser than usual,
-        a `duration` of more than two million automatic time steps.
+        a `duration` of more than two million automatic time steps. And smoke that is short because coordinates are in degrees or kilometres and the velocity
+        in metres per second, or `times` in hours.
 
     Examples
     --------
@@ -126,10 +128,15 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     if series is None:
         with vtk_messages(smoke, _NAMES):
             smoke.Update()
-        return pyvista.wrap(smoke.GetOutput())
+        volume = pyvista.wrap(smoke.GetOutput())
+        warn_of_units(volume, meshed(mesh), vectors or "", None)
+        return volume
     with series.raising(), vtk_messages(smoke, _NAMES):
         smoke.UpdateTimeStep(series.times[-1] if time is None else require_number(time, "time"))
-    return pyvista.wrap(smoke.GetOutput()).copy(deep=False)
+    volume = pyvista.wrap(smoke.GetOutput()).copy(deep=False)
+    if time is None:  # until an earlier one the smoke may be short
+        warn_of_units(volume, series.first, vectors or "", time_scale * (series.times[-1] - (series.times[0] if start_time is None else start_time)))
+    return volume
 
 
 def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius: Any, normal: Any, n_sides: Any, duration: Any, time_step: Any,
