@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """nephoscope.animate: what it draws is the same function of the values in all steps."""
 import io
+import re
+import shutil
 import tempfile
 import unittest
 import warnings
@@ -276,9 +278,7 @@ class Messages(Animation):
         for error, words, dataset, options in (
                 (ValueError, "dataset is empty; it must be a list of PyVista datasets", [], {}), (ValueError, "dataset is empty", {}, {}),
                 (TypeError, r"a generator.*pass list\(dataset\)", (mesh for mesh in meshes), {}),
-                (MissingDataError, r"step 1 \(time 1\) has no array 'T'. Point arrays: 'U'", [meshes[0], lacking], {}),
-                (MissingDataError, r"step 1 \(time 6.5\) has no array 'T'", {0: meshes[0], 6.5: lacking}, {}),
-                (MissingDataError, r"step 1 \(time 1\) has the array 'T' on its cells, .* step 0 on its points. Convert", [meshes[0], meshes[1].point_data_to_cell_data()], {}),
+                (MissingDataError, r"scalars: no array 'T'. Point arrays: 'U'.*that of time step 0 \(2.5\)[.]", {2.5: lacking, 3: lacking}, {}),
                 (TypeError, r"animate\(\) got an unexpected keyword argument 'cmapp'. Did you mean 'cmap'", meshes, {"cmapp": "hot"}),
                 (TypeError, "'frame_rate'. Did you mean 'framerate'", meshes, {"frame_rate": 3}), (TypeError, "'nonsense'[.]$", meshes, {"nonsense": 3}),
                 (TypeError, r"no option 'color'; of those of add_cells it takes 'opacity', .*add_cells\(plotter, mesh, ..., color=...\)", meshes, {"color": "red"}),
@@ -286,6 +286,30 @@ class Messages(Animation):
                 (TypeError, "vertical_exaggeration: the meshes exist already", meshes, {"vertical_exaggeration": 3})):
             with self.subTest(words), self.assertRaisesRegex(error, words):
                 nephoscope.animate(self.plotter, dataset, "T", **options)
+
+    def test_steps_without_the_array(self):
+        """They are told with time and file, and the step before is shown in their place; before the first with the array, that one."""
+        meshes, lacking = [whirl(1), whirl(2)], whirl(3)
+        meshes[1]["T"] *= 2
+        lacking.point_data.remove("T")
+        by_function = lambda plotter, mesh: nephoscope.add_cells(plotter, mesh, "T", show_scalar_bar=False)
+        with tempfile.TemporaryDirectory() as folder:
+            file, film = Path(folder, "lacking.vti"), Path(folder, "film")
+            lacking.save(file)
+            for dataset, draw, words, lacks, same in (
+                    ({0: meshes[0], 6.5: lacking, 7: meshes[1]}, "T", r"Time step 1 \(6.5\) has no array 'T'. Point arrays: 'U'", 1, (0, 1)),
+                    ([meshes[0], str(file), meshes[1]], by_function, r"Time step 1 \(1\) of .*lacking.vti has no array 'T'", 1, (0, 1)),
+                    ([meshes[0], meshes[1].point_data_to_cell_data(), meshes[1]], "T", r"Time step 1 \(1\) has the array 'T' on its cells, others have it on their points. Convert", 1, (0, 1)),
+                    ([str(file), *meshes], "T", r"Time step 0 \(0\) of .*lacking.vti has no array 'T'", 0, (0, 1))):
+                with self.subTest(words), warnings.catch_warnings(record=True) as told:
+                    warnings.simplefilter("always")
+                    series = nephoscope.animate(self.new_plotter(), dataset, draw, filename=film, progress=False, show_time=False)
+                    self.assertEqual(len([one for one in told if re.search(words + ".* Another step is shown", str(one.message))]), 1, [str(one.message) for one in told])
+                    pictures = [np.asarray(pyvista.read(frame).active_scalars) for frame in sorted(film.glob("*.png"))]
+                    self.assertEqual([(i, k) for k in range(3) for i in range(k) if np.array_equal(pictures[i], pictures[k])], [same])
+                    with self.assertRaisesRegex(OSError, words):
+                        series.show(lacks)
+                shutil.rmtree(film)
 
     def test_contours_of_a_later_step(self):
         """There is no warning if a later step has them, and there is one if no step has."""

@@ -105,7 +105,7 @@ class Components(unittest.TestCase):
             for name in ("wind", "speed", "w0"):
                 meshes[-1][name] *= factor
         for name, component, expected in (("wind", None, "speed"), ("wind", 0, "w0")):
-            series = mesh_series(meshes, None)
+            series = mesh_series(meshes, None, None)
             pictures = []
             for scalars, options in ((name, {"component": component}), (expected, {})):
                 plotter = pyvista.Plotter(off_screen=True, window_size=(100, 100))

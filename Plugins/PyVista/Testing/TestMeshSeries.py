@@ -102,6 +102,10 @@ class Meshes(unittest.TestCase):
             single = str(Path(folder, "case_1.vti"))
             with self.assertRaisesRegex(TypeError, r"single file .* has one time; pass a list of files"):
                 nephoscope.animate(self.plotter, single, "T")
+            cut = Path(folder, "cut.vti")
+            cut.write_bytes(Path(single).read_bytes()[:300])
+            with self.assertRaisesRegex(OSError, "The file '.*cut.vti' cannot be read: Error parsing XML"):
+                nephoscope.animate(self.plotter, str(cut), "T")
             with self.assertRaisesRegex(TypeError, "has its own times"):
                 nephoscope.animate(self.plotter, collection, "T", times=[1, 2, 3])
             for dataset, options, told in ((names, {}, ["0", "1", "2"]), ([Path(name) for name in names], {"times": [1, 2, 3]}, ["1", "2", "3"]), (dict(zip((2, 3, 4), names)), {}, ["2", "3", "4"]),

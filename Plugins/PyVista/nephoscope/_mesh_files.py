@@ -7,8 +7,9 @@ import glob
 import logging
 import re
 import warnings
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any, Callable
+from typing import Any, Callable, Iterator
 
 import pyvista
 from vtkmodules.vtkCommonCore import vtkLogger
@@ -41,9 +42,14 @@ def read_steps(path: str | Path, times: Any) -> tuple[Any, Any]:
         if not found:
             raise FileNotFoundError(f"No such file: {text}")
         return found, times
-    reader = pyvista.get_reader(str(expanded(path)))
-    steps = list(getattr(reader, "time_values", []))
+    with _quiet():  # a damaged file is told below
+        reader = pyvista.get_reader(str(expanded(path)))
+        steps = list(getattr(reader, "time_values", []))
     if len(steps) < 2:
+        try:
+            complete(lambda: pyvista.read(text))
+        except OSError as problem:
+            raise OSError(f"The file {text!r} cannot be read: {str(problem).rstrip('.')}.") from problem
         raise TypeError(f"dataset is the single file {text!r}, which has one time; pass a list of files, one for each time, or a pattern such as 'case_*.vtu'.")
     if times is not None:
         raise TypeError(f"times is given, but the file {text!r} has its own times.")
@@ -55,20 +61,27 @@ def read_steps(path: str | Path, times: Any) -> tuple[Any, Any]:
     return read, steps
 
 
-def complete(read: Callable[[], Any]) -> Any:
-    """What `read` returns. OSError if VTK reports errors and it returns nothing, or only a part because a file ends early; the error stands for the reports."""
-    mesh, failed, verbosity, disabled = None, None, vtkLogger.GetCurrentVerbosityCutoff(), logging.root.manager.disable
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """VTK's reports, and what pyvista's observers make of them, are not written inside the block."""
+    verbosity, disabled = vtkLogger.GetCurrentVerbosityCutoff(), logging.root.manager.disable
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    logging.disable(logging.ERROR)  # by pyvista's observers
+    logging.disable(logging.ERROR)
     try:
-        with pyvista.VtkErrorCatcher(send_to_logging=False) as told, warnings.catch_warnings(record=True) as warned:
-            try:
-                mesh = read()
-            except RuntimeError as problem:  # pyvista's, of what VTK reports last
-                failed = problem
+        yield
     finally:
         vtkLogger.SetStderrVerbosity(verbosity)
         logging.disable(disabled)
+
+
+def complete(read: Callable[[], Any]) -> Any:
+    """What `read` returns. OSError if VTK reports errors and it returns nothing, or only a part because a file ends early; the error stands for the reports."""
+    mesh, failed = None, None
+    with _quiet(), pyvista.VtkErrorCatcher(send_to_logging=False) as told, warnings.catch_warnings(record=True) as warned:
+        try:
+            mesh = read()
+        except RuntimeError as problem:  # pyvista's, of what VTK reports last
+            failed = problem
     texts = [event.alert for event in told.events] or ([str(failed)] if failed else [])
     nothing = mesh is None or not (mesh.n_blocks if isinstance(mesh, pyvista.MultiBlock) else mesh.n_points)
     if texts and (nothing or any(map(_PART.search, texts))):

@@ -11,6 +11,7 @@ from typing import Any, Callable
 
 import numpy as np
 import pyvista
+from pyvista.core.errors import MissingDataError
 
 from .._checks import listed, require_number
 from .._film_camera import is_framed, look_at_all_steps
@@ -88,7 +89,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     TypeError
         If `dataset` is a single mesh, its meshes are of several types, or an option does not exist.
     pyvista.core.errors.MissingDataError
-        (a ValueError) If the mesh of a time lacks an array that is drawn.
+        (a ValueError) If none of the meshes has the array `draw`, or if `draw` is a function and the first mesh with points lacks an array that is drawn.
     ValueError
         If there are no meshes, or the file name has any other ending. RuntimeError If ffmpeg is missing or fails.
     OSError
@@ -99,7 +100,8 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     Warns
     -----
     RuntimeWarning
-        For each time step that cannot be read, with its file: the picture of the step before is shown instead; before the first step that can be read, the picture of that step.
+        For each time step that cannot be read, or lacks an array that is drawn, with its file: the picture of the step before is shown instead; before the first
+        step that can be drawn, the picture of that step.
     """
     from .picture import darken, is_untouched
     require_number(framerate, "framerate", above=0, most=MOST_FRAMES)
@@ -112,7 +114,9 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
     series, draw = _series(plotter, dataset, draw, heights, options, whole, times, look)
     whole = whole and not isinstance(series, MeshSeries)
     before = set(plotter.renderer.actors)
-    if callable(draw):
+    if isinstance(series, MeshSeries):
+        _draw_meshes(plotter, series, draw, look, before)
+    elif callable(draw):
         _drawn(plotter, series, draw)
         _warn_of_derived(plotter, series, before)
     elif whole:
@@ -128,7 +132,7 @@ def animate(plotter: pyvista.BasePlotter, dataset: Any, draw: str | Callable[[An
         _add_label(plotter, series, colour)
 
     def turn_to(step: float) -> None:
-        found = series.attempt(int(round(step)), series.__getitem__)
+        found = series.drawable(int(round(step)))
         if found is not None:
             series.put(int(round(step)), found)
         plotter.renderer.ResetCameraClippingRange()
@@ -147,7 +151,7 @@ def _series(plotter: pyvista.BasePlotter, dataset: Any, draw: Any, heights: bool
     """The series, and the array that is drawn. `whole`: of the whole picture; heights are exaggerated as suits it, unless the options say how, and a section lies in the plane of the picture."""
     if is_meshes(dataset):
         _refuse(options, heights, "the meshes exist already, so they cannot take these options.")
-        return mesh_series(dataset, times), draw
+        return mesh_series(dataset, times, draw if isinstance(draw, str) else None), draw
     if times is not None:
         raise TypeError("times is given, but dataset is weather, which has its own times.")
     if isinstance(dataset, Series):
@@ -239,6 +243,23 @@ def _drawn(plotter: pyvista.BasePlotter, series: Series, draw: Callable) -> None
         array = getattr(mapper, "array_name", None)
         if isinstance(mapper, pyvista.DataSetMapper) and array in series.mesh.array_names and np.allclose(mapper.scalar_range, series.mesh.get_data_range(array)):
             mapper.scalar_range = series.range(array)
+
+
+def _draw_meshes(plotter: pyvista.BasePlotter, series: MeshSeries, draw: Any, look: dict, before: set[str]) -> None:
+    """Draws the mesh of a step, and says of which if it lacks an array."""
+    from ..cells import add_cells
+    try:
+        if not callable(draw):
+            add_cells(plotter, series.mesh, draw, **look)
+            return
+        _drawn(plotter, series, draw)
+    except MissingDataError as problem:
+        raise MissingDataError(f"{problem} The mesh is that of {_lower(series.told(series.step))}.") from problem
+    _warn_of_derived(plotter, series, before)
+
+
+def _lower(words: str) -> str:
+    return words[:1].lower() + words[1:]
 
 
 def _warn_of_derived(plotter: pyvista.BasePlotter, series: Series, before: set[str]) -> None:

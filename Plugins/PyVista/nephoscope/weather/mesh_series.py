@@ -20,9 +20,9 @@ ACCEPTED = "a list of PyVista datasets, one for each time, a dict {time: dataset
 
 class MeshSeries(Series):
     """A `Series` of meshes that exist already, of files that have them, or of a function that returns the mesh of a time. They are not changed: `mesh` is a copy
-    of the first that has points, and gets the points and cells of each step. A mesh without points needs no arrays: nothing is drawn. Blocks become one mesh."""
+    of the first that has points, and the array `name`, and gets the points and cells of each step. A mesh without points needs no arrays: nothing is drawn. Blocks become one mesh."""
 
-    def __init__(self, meshes: Any, times: Any = None) -> None:
+    def __init__(self, meshes: Any, times: Any = None, name: str | None = None) -> None:
         self._source = meshes if callable(meshes) else [_wrapped(mesh) for mesh in (meshes.values() if isinstance(meshes, Mapping) else meshes)]
         self._labels = list(meshes) if isinstance(meshes, Mapping) else None if times is None else list(times)
         self._last: tuple[int, Any] = (-1, None)  # what has been made
@@ -31,7 +31,7 @@ class MeshSeries(Series):
         self._sort()
         self._kind: type | None = None
         super().__init__([str(i) for i in range(len(self))] if self._labels is None else [_told(time) for time in self._labels])
-        self._begin(lambda mesh: mesh.n_points, copied=True)
+        self._begin(lambda mesh: mesh.n_points and (name is None or name in mesh.array_names), copied=True)
 
     def _require_meshes(self) -> None:
         if self._labels is None and callable(self._source):
@@ -134,8 +134,8 @@ def is_meshes(dataset: Any) -> bool:
     return isinstance(first, pyvista.DataObject) or hasattr(first, "GetDataObjectType") or callable(dataset) or are_mesh_files(first)
 
 
-def mesh_series(dataset: Any, times: Any) -> MeshSeries:
-    """The series; TypeError for a single mesh."""
+def mesh_series(dataset: Any, times: Any, name: str | None) -> MeshSeries:
+    """The series, of which the array `name` is drawn; TypeError for a single mesh."""
     if are_mesh_files(dataset):
         dataset, times = read_steps(dataset, times)
     if not callable(dataset) and not isinstance(dataset, (list, tuple, dict)):
@@ -143,7 +143,7 @@ def mesh_series(dataset: Any, times: Any) -> MeshSeries:
         raise TypeError(f"dataset is a single {type(dataset).__name__}; it must be {ACCEPTED}.{blocks}")
     if isinstance(dataset, Mapping) and times is not None:
         raise TypeError("times is given, but dataset is a dict, whose keys are the times.")
-    return MeshSeries(dataset, times)
+    return MeshSeries(dataset, times, name)
 
 
 def _wrapped(mesh: Any) -> Any:

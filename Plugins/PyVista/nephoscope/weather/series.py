@@ -30,6 +30,10 @@ class UnreadableStep(OSError):
     """A time step cannot be read, because its file is damaged, incomplete or gone."""
 
 
+class LackingStep(UnreadableStep):
+    """A time step has no such array as is drawn."""
+
+
 class Series(Sequence):
     """The meshes of all time steps, each made on demand, and `mesh`, whose values `show` replaces.
 
@@ -104,6 +108,16 @@ class Series(Sequence):
         """The mesh of the step at `seconds`, as `advect_texture` and `flow_volume` ask for it: ``flow_volume(series.at, times=series.seconds, time=...)``."""
         return self[int(np.argmin(np.abs(self.seconds - seconds)))]
 
+    def drawable(self, step: int) -> pyvista.DataSet | None:
+        """The mesh of a step. If it cannot be read, or lacks an array that is drawn: None, and for each step one warning."""
+        return self.attempt(step, self._drawable)
+
+    def _drawable(self, step: int) -> pyvista.DataSet:
+        found = self[step]
+        for name in {name for name, _ in self._samples} & {*self.mesh.array_names}:
+            self._require(step, found, name)
+        return found
+
     def attempt(self, step: int, read: Callable[[int], Any]) -> Any:
         """What ``read(step)`` returns. If the step cannot be read: None, and for each step one warning."""
         try:
@@ -125,8 +139,12 @@ class Series(Sequence):
         except UNREADABLE as problem:
             if isinstance(problem, RuntimeError) and _raised_in(problem).startswith(PACKAGE):
                 raise
-            file, time = self._file(step), self.times[step]
-            raise UnreadableStep(f"Time step {step}{f' ({time})' if time else ''}{f' of {file}' if file else ''} cannot be read: {str(problem).rstrip('.')}.") from problem
+            raise UnreadableStep(f"{self.told(step)} cannot be read: {str(problem).rstrip('.')}.") from problem
+
+    def told(self, step: int) -> str:
+        """A step in messages: with its time and its file."""
+        file, time = self._file(step), self.times[step]
+        return f"Time step {step}{f' ({time})' if time else ''}{f' of {file}' if file else ''}"
 
     # All steps
 
@@ -166,13 +184,20 @@ class Series(Sequence):
         found = self.mesh if step == self.step else self._read(step)
         if not found.n_points:
             return np.zeros(0)
+        self._require(step, found, name)
+        return np.asarray(found[name])
+
+    def _require(self, step: int, found: pyvista.DataSet, name: str) -> None:
+        """LackingStep unless `found`, the mesh of a step, has the array where `mesh` has it, or has no points. MissingDataError if `mesh` itself has none."""
+        if not found.n_points:
+            return
         if name not in found.array_names:
-            raise MissingDataError(f"The mesh of step {step} (time {self.times[step]}) has no array {name!r}. {arrays_of(found)}")
+            words = f"{self.told(step)} has no array {name!r}. {arrays_of(found)}"
+            raise MissingDataError(words) if name not in self.mesh.array_names else LackingStep(words)
         if (name in found.point_data) != (name in self.mesh.point_data):
             here, there = ("points", "cells") if name in found.point_data else ("cells", "points")
-            raise MissingDataError(f"The mesh of step {step} (time {self.times[step]}) has the array {name!r} on its {here}, the mesh of step {self.step} on its {there}. "
-                                   "Convert one of them, with mesh.cell_data_to_point_data() or mesh.point_data_to_cell_data().")
-        return np.asarray(found[name])
+            raise LackingStep(f"{self.told(step)} has the array {name!r} on its {here}, others have it on their {there}. "
+                              "Convert one of them, with mesh.cell_data_to_point_data() or mesh.point_data_to_cell_data().")
 
     # The step that is shown
 
@@ -181,8 +206,11 @@ class Series(Sequence):
         self._listeners.append(told)
 
     def show(self, step: int) -> None:
-        """Gives `mesh` the values of a step; the time and the slider of `animate` follow. Draw it by ``plotter.render()``. An OSError that names the step and its file, if the file is damaged or gone."""
-        self.put(step % len(self), self[step])
+        """Gives `mesh` the values of a step; the time and the slider of `animate` follow. Draw it by ``plotter.render()``. An OSError that names the step and its file, if the file is damaged or gone,
+        or lacks an array that is drawn."""
+        if not -len(self) <= step < len(self):
+            raise IndexError(f"step is {step}; there are {len(self)}.")
+        self.put(step % len(self), self._drawable(step % len(self)))
 
     def put(self, step: int, found: pyvista.DataSet) -> None:
         """Gives `mesh` the values of `found`, the mesh of a step."""
