@@ -113,6 +113,16 @@ class Clicks(unittest.TestCase):
         self.assertRegex(self.plotter.actors["picked"].GetText(2), r"^3 at \(.*\), cell \d+$")
         self.assertEqual(self.plotter.actors["picked"].GetTextProperty().GetColor(), (1, 1, 1))  # on black
 
+    def test_the_text_is_that_of_the_last_click(self):
+        nephoscope.enable_picking(self.plotter)
+        self.click(1, 1)  # beside, with no text yet
+        self.click(30, 30)
+        self.assertIn("picked", self.plotter.actors)
+        shown = self.plotter.screenshot().astype(int)
+        self.click(1, 1)
+        self.assertNotIn("picked", self.plotter.actors)
+        self.assertGreater(np.abs(self.plotter.screenshot().astype(int) - shown).max(), 50)
+
     def test_ends_and_replaces(self):
         first, second = [], []
         nephoscope.disable_picking(self.plotter)  # not enabled

@@ -31,9 +31,11 @@ class Splats(PlotterTestCase):
         for cmap in ("RdBu", "coolwarm", "autumn", "hot", "viridis", "Greens", "gray"):
             for background in ((0.0, 0.0, 0.0), (0.3, 0.3, 0.3), (1.0, 1.0, 1.0)):
                 colours = pyvista.LookupTable(cmap).values[:, :3] / 255.0
+                self.plotter.clear()
                 chosen = np.array(self.colour_of_streaks(background, cmap=cmap))
                 nearest = np.linalg.norm(np.vstack([background, colours]) - chosen, axis=1).min()
                 self.assertGreater(nearest, 0.35, (cmap, background, chosen))
+        self.plotter.clear()
         self.assertEqual(self.colour_of_streaks((0, 0, 0), color="white", scalars=None), pyvista.Color("orangered").float_rgb)
 
     def colour_of_streaks(self, background, **options):
@@ -47,6 +49,22 @@ class Splats(PlotterTestCase):
 
 
 class Accepted(Splats):
+    def test_streaks_among_other_media(self):
+        """Without a medium of their own they stand out from the others in the view, unless the user has chosen colours; in their own medium, from all."""
+        colours = {cmap: pyvista.LookupTable(cmap).values[:, :3] / 255.0 for cmap in ("viridis", "hot", "gray")}
+        for cmap, options in (("viridis", {"scalars": None, "opacity": 0}), ("hot", {"scalars": None, "opacity": 0}), ("gray", {"cmap": "viridis"})):
+            self.plotter.clear()
+            nephoscope.add_cells(self.plotter, box(), "x", cmap=cmap, show_scalar_bar=False, render=False)
+            chosen = np.array(self.colour_of_streaks((0, 0, 0), **options))
+            media = np.vstack([colours[one] for one in (cmap, options.get("cmap", cmap))])
+            self.assertGreater(np.linalg.norm(media - chosen, axis=1).min(), 0.35, (cmap, chosen))
+            self.assertGreater(np.linalg.norm(chosen), 0.7)
+            self.assertEqual(len(self.plotter.scalar_bars), 0 if "scalars" in options else 1)
+        for options in ({"scalars": "x"}, {"scalars": None, "cmap": "hot"}, {"scalars": None, "color": "red"}):
+            self.assertFalse(self.add(**options, opacity=0, vectors="wind").mapper.GetUseVectorColor(), options)
+        self.plotter.clear()
+        self.assertFalse(self.add(scalars=None, opacity=0, vectors="wind").mapper.GetUseVectorColor())
+
     def test_the_bar_of_vectors_alone_has_colours(self):
         """With opacity 0 the medium is not drawn, and its colours are those of the vectors."""
         grid = pyvista.ImageData(dimensions=(4, 4, 4))

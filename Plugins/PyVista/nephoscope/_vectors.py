@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pyvista
+from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumeProperty
 
 from . import vtkSplatSpeedKey
 from ._bars import add_bar, key_of
@@ -21,12 +22,25 @@ from .transfer import colour_function
 
 
 ALONE = 2.0  # optical depth of the fastest streaks
+SAMPLES = 64  # of the colours of a medium
 LONG, TOLD = 1.25, 2.0  # times the length that 99 % of the vectors do not exceed: longer ones are drawn as if they were that long, and a warning tells it
 
 
 def is_drawn(opacity: Any) -> bool:
     node = [0.0] * 4
     return any(opacity.GetNodeValue(i, node) and node[1] > 0 for i in range(opacity.GetSize()))
+
+
+def _with_colours_of(media: list[Any]) -> vtkVolumeProperty:
+    """A property with samples of the colours of all of them, one after the other."""
+    colours, together = vtkColorTransferFunction(), vtkVolumeProperty()
+    for i, medium in enumerate(media):
+        function = medium.GetRGBTransferFunction() if medium.GetColorChannels() == 3 else None
+        low, high = (function or medium.GetGrayTransferFunction()).GetRange()
+        for k, value in enumerate(np.linspace(low, high, SAMPLES)):
+            colours.AddRGBPoint(SAMPLES * i + k, *(function.GetColor(value) if function else [medium.GetGrayTransferFunction().GetValue(value)] * 3))
+    together.SetColor(colours)
+    return together
 
 
 def _with_arrays(step: pyvista.DataSet, drawn: pyvista.DataSet) -> pyvista.DataSet:
@@ -147,9 +161,9 @@ class Vectors:
                       f"{type(mesh).__name__}. Instead, {ignored}layers at right angles to the line of sight are drawn. Use 'middle' for "
                       "pictures that change less with the view.", UserWarning, stacklevel=level_of_caller())
 
-    def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty, given: pyvista.DataSet) -> None:
-        """Draws as many streaks as are readable, adjusts them to a medium that is drawn too, and to all steps of a series, unless the user has set them. `given`: the
-        mesh of the user. Call it after everything else is set."""
+    def suit(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty, given: pyvista.DataSet, coloured: bool) -> None:
+        """Draws as many streaks as are readable, adjusts them to the media that are drawn too, and to all steps of a series, unless the user has set them. `given`: the
+        mesh of the user. `coloured`: the user has chosen colours of the medium. Call it after everything else is set."""
         if self.array is None:
             return
         drawn, speed = mapper.dataset, self._full_length(lengths_of_vectors(given, self.array))
@@ -157,7 +171,7 @@ class Vectors:
             mapper.SetInputData(_with_arrays(step_with_greatest(given, self.array), drawn))
             if self.maximum_speed is None:
                 mapper.SetMaximumSpeed(speed)
-        self._suit_to_medium(mapper, plotter, prop)
+        self._suit_to_medium(mapper, plotter, prop, coloured)
         if speed is not None:
             mapper.SetVectorUnit(mapper.FindVectorUnit())
             mapper.SetInputData(drawn)
@@ -173,11 +187,13 @@ class Vectors:
                           "are clamped to this length. Replace wrong values, or pass vectors['maximum_speed'].", UserWarning, stacklevel=level_of_caller())
         return full
 
-    def _suit_to_medium(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty) -> None:
+    def _suit_to_medium(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty, coloured: bool) -> None:
         in_medium = is_drawn(prop.GetScalarOpacity())
         mapper.SuitVectorsToMedium(in_medium and self.opacity is None, self.fraction is None and self.style == "streaks")
-        if in_medium and self.color is None and self.scalars is None:
-            mapper.SuitVectorColor(prop, plotter.background_color.float_rgb)
+        media = [volume.GetProperty() for volume in plotter.renderer.GetVolumes() if volume.GetVisibility() and is_drawn(volume.GetProperty().GetScalarOpacity())]
+        media += [prop] if in_medium else []
+        if media and (in_medium or not coloured) and self.color is None and self.scalars is None:
+            mapper.SuitVectorColor(_with_colours_of(media), plotter.background_color.float_rgb)
 
     def add_bar(self, plotter: pyvista.BasePlotter, bar_args: dict | None) -> None:
         """Adds a scalar bar for vectors with their own colour array. It is vertical if there is a horizontal bar, because PyVista places horizontal bars too close for

@@ -45,7 +45,7 @@ def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] |
         The plotter; clicks in all its renderers pick.
     callback : callable, optional
         Called with the result: `position` (world coordinates), `cell` and `point` (numbers in ``actor.mapper.dataset``), `scalar` (of the coloured
-        array, at the position) and `actor` (the volume). Default: the window shows these values.
+        array, at the position) and `actor` (the volume). Default: the window shows these values until the next click.
     side : {"left", "right"}, default: "left"
         The button of the mouse.
 
@@ -99,6 +99,8 @@ def enable_picking(plotter: pyvista.Plotter, callback: Callable[[Picked], Any] |
         seen = sorted((picked for picked in found if picked), key=lambda picked: math.dist(picked.position, eye))
         if seen:
             (callback or show)(seen[0])
+        elif volumes and callback is None:
+            plotter.remove_actor("picked")  # the text of an earlier click
 
     observers = _observers.setdefault(plotter, {})
     if side in observers:

@@ -183,8 +183,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
           warning.
         - ``opacity``: optical depth of the streaks of the longest vectors, >= 0; other streaks are proportional to the length of their vectors.
           Default: 2 for vectors alone; in a medium the value that gives vectors of mean length 0.6, clamped to 0.8 to 2.
-        - ``color``: one colour for all vectors. Default: in a medium black, white or orange, whichever contrasts best, or another strong colour if the medium has these; without a medium the
-          colour of the splats.
+        - ``color``: one colour for all vectors. Default: in a medium, or if other volumes are in the view and no colours of the splats are given, black, white or orange, whichever contrasts best
+          with all media in the view, or another strong colour if these media have those; otherwise the colour of the splats.
         - ``scalars``, ``cmap``, ``clim``: array that colours the vectors independently of the splats, for example altitude; its magnitude if it
           has several components. Its colour map and range are given as for `cmap` and `clim`.
         - ``maximum_speed``: length of a vector, in its own unit, at and above which streaks have full opacity, > 0. Default: the maximum length
@@ -278,7 +278,7 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     if 0 < mesh.n_cells < FEWEST and streaks.array is None and sizes is None and cell_dimension(mesh) == 3:
         warnings.warn(f"The mesh has {mesh.n_cells} {'cell' if mesh.n_cells == 1 else 'cells'}. Splats are soft blobs: they do not show the shape of so few cells, and may be too faint "
                       "to see. Draw the mesh by add_cells.", RuntimeWarning, stacklevel=level_of_caller())
-    given = mesh
+    given, coloured = mesh, any(one is not None for one in (field, color, cmap, clim, sun))
     mesh, array_name, association = scalar_array(mesh, scalars, preference, component)
     darken_for(plotter, data, mesh)
     if opacity_scalars is not None:
@@ -293,8 +293,8 @@ def add_splats(plotter: pyvista.BasePlotter, mesh: Any, scalars: str | np.ndarra
     fainter = FAINTER * concentration(mesh.points) if uniform and opacity_scalars is None else 1.0
     prop = Functions(cmap, opacity, clim, n_colors, flip_scalars, log_scale, opacity_scalars, opacity_clim,
                      opacity_scale, preset, fainter, component).attach(mapper, plotter, mesh, array_name, association, association, opacity_unit_distance)
-    streaks.suit(mapper, plotter, prop, given)
-    if (streaks.table is not None or streaks.color is not None) and not is_drawn(prop.GetScalarOpacity()):
+    streaks.suit(mapper, plotter, prop, given, coloured)
+    if (streaks.table is not None or mapper.GetUseVectorColor()) and not is_drawn(prop.GetScalarOpacity()):
         show_scalar_bar = False  # nothing uses its colours
     title = title_of_scalars(mesh, array_name, association, component)
     add_earth_for(plotter, data, mesh, array_name if sun is None else field, sun is not None)
