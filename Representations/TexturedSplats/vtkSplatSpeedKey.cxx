@@ -35,7 +35,10 @@ constexpr double shortest = 75.0; // pixels that the longest vectors move in the
 constexpr double longest = 0.22;  // of the width of the view
 constexpr double gap = 6.0;       // pixels between keys
 constexpr double veil = 0.6;      // opacity of the background of the words
-constexpr double smallest = 0.75; // size of the letters in a narrow view, of that which was set
+constexpr double smallest = 0.7;  // size of the letters in a small view, of that which was set
+constexpr double widest = 0.6;    // of the width of the view: the words stay in a corner
+constexpr double full[2] = { 600.0,
+  450.0 }; // pixels of a view with letters of the size that was set
 
 std::string NumberText(double number)
 {
@@ -265,13 +268,15 @@ void vtkSplatSpeedKey::Write(vtkViewport* viewport, bool hasArrow)
 {
   const int dpi = viewport->GetVTKWindow()->GetDPI();
   const double left = this->PositionCoordinate->GetComputedDoubleViewportValue(viewport)[0];
-  const double room = std::max(viewport->GetSize()[0] - left - gap, 1.0);
-  const double share = room / std::max(WidthOf(this->Text, this->Style, dpi), 1.0);
+  const int* size = viewport->GetSize();
+  const double room = std::max(std::min(widest * size[0], size[0] - left - gap), 1.0);
+  const double share = std::min({ room / std::max(WidthOf(this->Text, this->Style, dpi), 1.0),
+    size[0] / full[0], size[1] / full[1] });
   vtkNew<vtkTextProperty> style;
   style->ShallowCopy(this->Style);
   style->SetFontSize(
     static_cast<int>(std::floor(this->Style->GetFontSize() * std::clamp(share, smallest, 1.0))));
-  const std::string text = share < smallest ? Broken(this->Text, style, dpi, room) : this->Text;
+  const std::string text = Broken(this->Text, style, dpi, room);
   this->Words->GetTextProperty()->ShallowCopy(style);
   this->Words->SetInput(
     (hasArrow ? " \n" + text : text).c_str()); // the first line is that of the arrow

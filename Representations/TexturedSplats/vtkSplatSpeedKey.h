@@ -83,8 +83,9 @@ public:
   ///@}
 
   /**
-   * Font, size and colour. Where the view is too narrow for a line, the letters are smaller, down
-   * to three quarters of the size, and then the line is broken.
+   * Font, size and colour. In views of fewer than 600 x 450 pixels the letters are smaller, and
+   * where a line takes more than 0.6 of the width: down to 0.7 of the size, and then the line is
+   * broken.
    */
   vtkTextProperty* GetTextProperty();
 

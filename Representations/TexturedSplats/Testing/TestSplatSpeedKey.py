@@ -128,7 +128,7 @@ class Key(unittest.TestCase):
 
     def test_narrow_views(self):
         """All words are seen, in smaller letters and on more lines; wider views have the same words on three lines."""
-        for size, lines, at in ((600, 4, 0.03), (300, 5, 0.2), (200, 6, 0.2)):
+        for size, lines, at in ((600, 4, 0.03), (300, 6, 0.2), (200, 7, 0.2)):
             key = self.scene(TimeScale=300.0, size=(size, size), VectorOpacity=0)
             key.SetPosition(at, 0.03)
             self.text(key)
@@ -139,11 +139,23 @@ class Key(unittest.TestCase):
             self.assertEqual(np.count_nonzero(np.diff(rows) > 0), lines, size)
             self.assertEqual(key.GetText().count("\n"), 2, size)
 
+    def test_it_keeps_to_a_corner_of_small_views(self):
+        """The box is not wider than 0.6 of the view, and its letters have 11 pixels in views of 300 x 200 and 400 x 300."""
+        for size, share in (((300, 200), 0.45), ((400, 300), 0.25), ((800, 600), 0.2), ((1600, 900), 0.15)):
+            key = self.scene(TimeScale=300.0, size=size, VectorOpacity=0)
+            key.SetSpeedUnit("m/s")
+            self.text(key)
+            ink = np.abs(self.window.rgba(alpha=False) - self.window.rgba(alpha=False)[-1, -1]).max(axis=2) > 0.5
+            columns, rows = np.flatnonzero(ink.any(axis=0)), np.flatnonzero(ink.any(axis=1))
+            print(f"  {size}: {np.ptp(columns)} x {np.ptp(rows)}")
+            self.assertLess(np.ptp(columns), 0.6 * size[0], size)
+            self.assertLess(np.ptp(rows), share * size[1], size)
+
     def test_numbers_stay_with_their_units(self):
         """However narrow the view is, the last line has "20 m/s", not the unit alone."""
         least = [0] * 4
         style = nephoscope.vtkSplatSpeedKey().GetTextProperty()
-        style.SetFontSize(12)
+        style.SetFontSize(11)  # the smallest letters
         vtkTextRenderer.GetInstance().GetBoundingBox(style, "20 m/s", least, 72)
         for size in range(110, 230, 5):
             key = self.scene(TimeScale=300.0, size=(size, size))
