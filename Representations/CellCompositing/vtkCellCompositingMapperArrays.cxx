@@ -98,6 +98,13 @@ std::string CellsAre(vtkIdType count)
   return std::to_string(count) + (count == 1 ? " cell is" : " cells are");
 }
 
+// Where `count` cells lack a value, and what helps.
+std::string Place(bool onCells, vtkIdType count)
+{
+  const std::string place = onCells ? "there" : count == 1 ? "at its points" : "at their points";
+  return place + ". Blank such " + (onCells ? "cells" : "points") + ", or replace the values.";
+}
+
 // The polygons that vtkContourCellSplitter adds to the pieces of cells; they are no mistake.
 vtkIdType CountContourPolygons(vtkDataSet* input)
 {
@@ -134,7 +141,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
   const std::string leftOut = geometry.NumberOfInvalidCells > 0
     ? (none ? "Nothing is drawn: " : "") + CellsAre(geometry.NumberOfInvalidCells) +
       (none ? " left out" : " not drawn") + " because array " + names +
-      " or a coordinate is not finite there. Blank such points, or replace the values."
+      " or a coordinate is not finite " + Place(scalars.OnCells, geometry.NumberOfInvalidCells)
     : std::string();
   if (this->Internals->LeftOut.IsNew(leftOut)) // ranks get the same data again
   {

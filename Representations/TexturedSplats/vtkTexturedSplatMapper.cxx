@@ -17,6 +17,8 @@
 #include "VolumeSlices.h"
 
 #include "vtkAbstractMapper.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -42,6 +44,18 @@ struct vtkTexturedSplatMapper::vtkInternals
     this->Scene.ForgetUpload();
   } };
 };
+
+namespace
+{
+// Among ranks all samples are cells: a vertex with a shape may be a point of the user's data.
+const char* KindOfSamples(vtkDataSet* input, const nephoscope::SplatSampling& sampling)
+{
+  const bool shaped = !sampling.ShapeArrayName.empty() && input->GetNumberOfCells() > 0 &&
+    input->GetCellType(0) == VTK_VERTEX &&
+    input->GetCellData()->HasArray(sampling.ShapeArrayName.c_str());
+  return !sampling.OnCells ? "point" : shaped ? "sample" : "cell";
+}
+}
 
 vtkTexturedSplatMapper::vtkTexturedSplatMapper()
   : Internals(new vtkInternals)
@@ -221,7 +235,8 @@ std::string vtkTexturedSplatMapper::UpdateSplats(vtkDataSet* input, vtkVolume* v
   this->ChooseVectors(input, fields.Scalars.OnCells);
   error = this->Internals->Scene.Update(input, sampling, fields, this->GetVectorSettings());
   const std::string leftOut = error.empty()
-    ? this->Internals->Scene.DescribeLeftOut(fields, sampling.SizeArrayName, this->DrawnVectors)
+    ? this->Internals->Scene.DescribeLeftOut(
+        fields, KindOfSamples(input, sampling), sampling.SizeArrayName, this->DrawnVectors)
     : std::string();
   if (this->Internals->LeftOut.IsNew(leftOut))
   {

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <set>
 #include <vector>
 
@@ -43,6 +44,15 @@ std::size_t BeginOfSentence(const std::string& text)
 {
   const auto head = text.find("): ");
   return head == std::string::npos ? 0 : head + 3;
+}
+
+// Whether it has a number of points or cells, of which every rank has its own.
+bool Counts(const std::string& text)
+{
+  static const std::regex count(
+    "[0-9] (blanked |hidden )?(points?|cells?|samples?|values?|polygons?|tetrahedra)\\b");
+  return std::regex_search(
+    text.begin() + static_cast<std::ptrdiff_t>(BeginOfSentence(text)), text.end(), count);
 }
 
 std::string WithoutNumbers(const std::string& text)
@@ -115,9 +125,7 @@ void vtkRankMessages::Tell(unsigned long event, const std::string& text)
   if (ranks && ranks->GetNumberOfProcesses() > 1)
   {
     AllMessages().Told.insert(WithoutNumbers(text));
-    const std::size_t sentence = BeginOfSentence(text);
-    const bool counts = std::isdigit(static_cast<unsigned char>(text[sentence])) != 0;
-    told.insert(sentence, counts ? "Rank 0: " : ""); // the others have counts of their own
+    told.insert(BeginOfSentence(text), Counts(text) ? "Rank 0: " : "");
   }
   Show(kind, told);
 }

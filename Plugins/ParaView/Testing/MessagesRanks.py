@@ -10,6 +10,8 @@ from MpiTesting import ENVIRONMENT, program
 
 ONCE = ("There is no array of cloud water", "The input has no velocity", "It must be a grid with rows", "the input has 20 points but no polygons",
         "Cell Compositing needs 3-D cells", "No point or cell array named 'nope'", "array 'nan' or a coordinate", "array 'hole' or a coordinate",
+        "Rank [01]: Nothing is drawn: [0-9]+ samples are left out because array 'nan'", "Rank [01]: Nothing is drawn: [0-9]+ cells are left out because array 'hole'",
+        "'hole' or a coordinate is not finite at their points. Blank such points",
         "Opacity Scale is -3", "Block 'without' is not drawn",
         "Rank 1: [0-9]+ values of 'Extinction' negative")
 

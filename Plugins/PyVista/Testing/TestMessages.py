@@ -122,7 +122,10 @@ class Messages(unittest.TestCase):
     def test_one_cell(self):
         grid = pyvista.ImageData(dimensions=(3, 2, 2)).cast_to_unstructured_grid()
         grid["x"] = [0.0, 1.0, np.nan] * 4
-        self.assertRegex(" ".join(self.drawn(grid, "x")), "1 cell is not drawn because array 'x'")
+        self.assertRegex(" ".join(self.drawn(grid, "x")), "1 cell is not drawn because array 'x' or a coordinate is not finite at its points. Replace the values .*hide their cells")
+        grid.cell_data["y"] = [1.0, np.nan]
+        for add in (nephoscope.add_cells, nephoscope.add_splats):
+            self.assertRegex(" ".join(self.drawn(grid, "y", add)), "1 cell is not drawn because array 'y' or a coordinate is not finite there. Replace the values .*hide the cells .*threshold")
 
     def test_words_of_mappers(self):
         grid = pyvista.ImageData(dimensions=(3, 3, 3))

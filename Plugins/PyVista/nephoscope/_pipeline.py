@@ -64,6 +64,7 @@ def level_of_caller(*others: str) -> int:
 _NAMES_OF_MAPPERS = {
     "Blank such points, or replace the values": "Replace the values (numpy.nan_to_num), hide their cells (mesh.hide_cells), or leave these out: "
     "mesh.threshold(scalars=name, all_scalars=True)",
+    "Blank such cells, or replace the values": "Replace the values (numpy.nan_to_num), hide the cells (mesh.hide_cells), or leave these out: mesh.threshold(scalars=name)",
     "Choose an array with SelectScalarArray and SetScalarMode": "Choose an array by scalars",
     "add the volume to this renderer, and render first": "draw the volume with this plotter first, and keep the plotter open: plotter.show(auto_close=False)",
     "render first, without peeling volumes": "draw first, plotter.show(auto_close=False), without peeling volumes",

@@ -145,8 +145,8 @@ void SplatScene::FreeUploaded(const SplatVectorSettings& vectors)
   }
 }
 
-std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName,
-  const std::string& vectorArrayName) const
+std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::string& kind,
+  const std::string& sizeArrayName, const std::string& vectorArrayName) const
 {
   const auto quoted = [](vtkDataArray* array) {
     return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
@@ -155,16 +155,16 @@ std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::st
   const bool none = notFinite + this->Samples.NumberOfWrongSizes >=
     static_cast<std::size_t>(fields.Scalars.Array->GetNumberOfTuples());
   const auto counted = [&](std::size_t count) {
-    const std::string kind = fields.Scalars.OnCells ? " cell" : " point";
-    return std::to_string(count) + kind + (count == 1 ? " is" : "s are") +
+    return std::to_string(count) + " " + kind + (count == 1 ? " is" : "s are") +
       (none ? " left out because array " : " not drawn because array ");
   };
+  const std::string remedy = "Blank such " + kind + "s, or replace the values.";
   std::string text;
   if (notFinite > 0)
   {
     text = (none ? "Nothing is drawn: " : "") + counted(notFinite) + quoted(fields.Scalars.Array) +
       (fields.Opacity.Array ? ", " + quoted(fields.Opacity.Array) : "") +
-      " or a coordinate is not finite there. Blank such points, or replace the values.";
+      " or a coordinate is not finite there. " + remedy;
   }
   if (this->Samples.NumberOfWrongSizes > 0)
   {
@@ -176,9 +176,8 @@ std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::st
   if (vectors > 0)
   {
     text += (text.empty() ? "The vectors of " : " The vectors of ") + std::to_string(vectors) +
-      (fields.Scalars.OnCells ? " cell" : " point") + (vectors == 1 ? "" : "s") +
-      " are not drawn because array '" + vectorArrayName +
-      "' is not finite there. Blank such points, or replace the values.";
+      " " + kind + (vectors == 1 ? "" : "s") + " are not drawn because array '" + vectorArrayName +
+      "' is not finite there. " + remedy;
   }
   return text;
 }

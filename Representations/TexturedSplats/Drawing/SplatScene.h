@@ -77,9 +77,10 @@ public:
   const SplatSamples& GetSamples() const { return this->Samples; }
   /**
    * Which samples are left out because of a value, a coordinate or a size; empty if there are none.
+   * `kind`: the word for a sample.
    */
-  std::string DescribeLeftOut(const SplatFields& fields, const std::string& sizeArrayName,
-    const std::string& vectorArrayName) const;
+  std::string DescribeLeftOut(const SplatFields& fields, const std::string& kind,
+    const std::string& sizeArrayName, const std::string& vectorArrayName) const;
   /**
    * Thickness of the layers at right angles to the line of sight; 0 where they are those of a grid.
    */
