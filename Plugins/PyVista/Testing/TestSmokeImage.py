@@ -16,6 +16,39 @@ def beam(density=1.0):
     return mesh.nephoscope.flow_volume(center=(-8, 0, 0), radius=1, n_sides=60, duration=16, time_step=0.25, initial_density=density)
 
 
+class InMedia(unittest.TestCase):
+    def volumes(self, cmap, background="black", **options):
+        """Smoke in a medium, and the change of the picture by it."""
+        plotter = pyvista.Plotter(off_screen=True, window_size=(100, 80))
+        self.addCleanup(plotter.close)
+        plotter.set_background(background)
+        air = pyvista.ImageData(dimensions=(9, 9, 9), spacing=(2.5, 1, 1), origin=(-10, -4, -4))
+        air["T"] = np.random.default_rng(1).random(air.n_points)
+        nephoscope.add_cells(plotter, air, "T", cmap=cmap, show_scalar_bar=False)
+        plotter.view_xy()
+        before = plotter.screenshot(return_img=True).astype(int)
+        smoke = nephoscope.add_smoke(plotter, beam(), **options)
+        return plotter, smoke, np.abs(plotter.screenshot(return_img=True).astype(int) - before).max(axis=2)
+
+    def test_smoke_is_seen_by_default(self):
+        for cmap, background in (("viridis", "black"), ("gray", "black"), ("gray", "white"), ("coolwarm", "white"), (["white", "white"], "black")):
+            _, _, change = self.volumes(cmap, background)
+            print(f"  {cmap} on {background}: {(change > 25).mean():.3f}")
+            self.assertGreater((change > 25).mean(), 0.02, (cmap, background))
+
+    def test_what_the_user_sets_stays_and_smoke_is_alike(self):
+        plotter, smoke, _ = self.volumes("gray", color="white", optical_depth=1)
+        alone = nephoscope.add_smoke(pyvista.Plotter(off_screen=True), beam())
+        self.assertEqual(smoke.prop.opacity_unit_distance, alone.prop.opacity_unit_distance)
+        self.assertEqual(tuple(smoke.mapper.lookup_table.values[0, :3]), (255, 255, 255))
+        far = nephoscope.add_smoke(plotter, beam().translate((100, 0, 0)))
+        self.assertAlmostEqual(far.prop.opacity_unit_distance, alone.prop.opacity_unit_distance, 9)
+        second = pyvista.Plotter(off_screen=True)
+        second.set_background("black")
+        looks = [(one.prop.opacity_unit_distance, tuple(one.mapper.lookup_table.values[0, :3])) for one in (nephoscope.add_smoke(second, beam()) for _ in range(2))]
+        self.assertEqual(looks[0], looks[1])
+
+
 class Drawing(unittest.TestCase):
     def picture(self, volume, *args, **options):
         plotter = pyvista.Plotter(off_screen=True, window_size=(60, 60))

@@ -14,6 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolumePrope
 from . import vtkSplatSpeedKey
 from ._bars import add_bar, key_of
 from ._checks import choose, listed, require_beside_scalars, require_number
+from ._media import colours_of, is_drawn, media_in_view
 from ._medium import array_values, lookup_table, text_colour
 from ._over_time import lengths_of_vectors, step_with_greatest, values_over_time
 from ._pipeline import level_of_caller
@@ -22,24 +23,15 @@ from .transfer import colour_function
 
 
 ALONE = 2.0  # optical depth of the fastest streaks
-SAMPLES = 64  # of the colours of a medium
 LONG, TOLD = 1.25, 2.0  # times the length that 99 % of the vectors do not exceed: longer ones are drawn as if they were that long, and a warning tells it
 
 
-def is_drawn(opacity: Any) -> bool:
-    node = [0.0] * 4
-    return any(opacity.GetNodeValue(i, node) and node[1] > 0 for i in range(opacity.GetSize()))
-
-
 def _with_colours_of(media: list[Any]) -> vtkVolumeProperty:
-    """A property with samples of the colours of all of them, one after the other."""
-    colours, together = vtkColorTransferFunction(), vtkVolumeProperty()
-    for i, medium in enumerate(media):
-        function = medium.GetRGBTransferFunction() if medium.GetColorChannels() == 3 else None
-        low, high = (function or medium.GetGrayTransferFunction()).GetRange()
-        for k, value in enumerate(np.linspace(low, high, SAMPLES)):
-            colours.AddRGBPoint(SAMPLES * i + k, *(function.GetColor(value) if function else [medium.GetGrayTransferFunction().GetValue(value)] * 3))
-    together.SetColor(colours)
+    """A property with the colours of all of them, one after the other."""
+    function, together = vtkColorTransferFunction(), vtkVolumeProperty()
+    for i, colour in enumerate(np.concatenate([colours_of(medium) for medium in media])):
+        function.AddRGBPoint(i, *colour)
+    together.SetColor(function)
     return together
 
 
@@ -190,8 +182,7 @@ class Vectors:
     def _suit_to_medium(self, mapper: Any, plotter: pyvista.BasePlotter, prop: pyvista.VolumeProperty, coloured: bool) -> None:
         in_medium = is_drawn(prop.GetScalarOpacity())
         mapper.SuitVectorsToMedium(in_medium and self.opacity is None, self.fraction is None and self.style == "streaks")
-        media = [volume.GetProperty() for volume in plotter.renderer.GetVolumes() if volume.GetVisibility() and is_drawn(volume.GetProperty().GetScalarOpacity())]
-        media += [prop] if in_medium else []
+        media = [volume.GetProperty() for volume in media_in_view(plotter)] + [prop] * in_medium
         if media and (in_medium or not coloured) and self.color is None and self.scalars is None:
             mapper.SuitVectorColor(_with_colours_of(media), plotter.background_color.float_rgb)
 

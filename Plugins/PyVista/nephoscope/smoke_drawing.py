@@ -10,15 +10,19 @@ import pyvista
 from pyvista.core.errors import MissingDataError
 
 from ._checks import arrays_of, require_number
+from ._media import colours_of, extinction_at, media_in_view
 from ._medium import is_light, require_plotter
 from .cells import add_cells
 from .light import SMOKE, lit, lit_colours
 
+LOUD = "orangered"  # for smoke that would have the colour of a medium
+NEAR = 0.35  # distance of colours that are hardly told apart, as of streaks in a medium
+SHOWN = 4.0  # least extinction, of that of the media around: of the light that comes from there, four fifths are the smoke's own
 HEADROOM = 1e4  # densities up to so many times the one of opacity 1 are drawn: values may be raised in place, and flows may converge
 
 
 def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, scalars: str | None = None, *,
-              color: Any = None, density: str | None = None, optical_depth: float = 1.0, reference_density: float | None = None,
+              color: Any = None, density: str | None = None, optical_depth: float | None = None, reference_density: float | None = None,
               sun: Any = None, **options: Any) -> pyvista.Volume:
     """Add smoke to a plotter. Its extinction coefficient is proportional to its density; its colour is uniform or comes from an array.
 
@@ -32,13 +36,14 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
         Point or cell array that colours the smoke, for example ``"Age"``. Default: none; the smoke has one colour, and its cells need no
         sorting. Vectors give their magnitude, or one component if `component` is among the options.
     color : ColorLike, optional
-        The colour without `scalars`. Default: white, or dark grey on a light background.
+        The colour without `scalars`. Default: white, or dark grey on a light background. If a volume in the view other than smoke has that colour, the other of these, or orange.
     density : str, optional
         Point or cell array that the extinction coefficient is proportional to. Default: ``"SmokeDensity"`` if it exists, otherwise
         ``"Density"``.
-    optical_depth : float, default: 1.0
+    optical_depth : float, optional
         Optical depth of a path as long as the generating polygon is wide, through smoke of the `reference_density`, > 0. 1 transmits exp(-1) of the
-        light.
+        light. Default: 1; within the bounds of other volumes in the view as much more as the smoke needs to have four times their greatest extinction. What these hide in front of the smoke
+        stays hidden: give them a larger `opacity_unit_distance`. With `sun` always 1.
     reference_density : float, optional
         The density to which `optical_depth` refers, > 0. Default: in smoke of an unsteady flow (`flow_volume` with `times`) the density at the polygon,
         so that the frames of a film are comparable; otherwise the mean ``Density``, so that any smoke is visible. To compare pictures of steady
@@ -74,8 +79,11 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     _refuse_ranges(scalars is not None or sun is not None, options)
     density = _density_name(volume, density)
     reference = _reference(volume, density, reference_density)
-    depth = require_number(optical_depth, "optical_depth", above=0)
-    distance = _width(volume) * (reference or _mean(volume, density) or 1.0) / depth  # in smoke of density 1
+    require_plotter(plotter)
+    width, media = _width(volume), [one for one in media_in_view(plotter) if not getattr(one.GetMapper(), "_is_smoke", False)]
+    least = 1.0 if sun is not None else max(1.0, SHOWN * width * extinction_at(media, volume.bounds))
+    depth = least if optical_depth is None else require_number(optical_depth, "optical_depth", above=0)
+    distance = width * (reference or _mean(volume, density) or 1.0) / depth  # in smoke of density 1
     if sun is not None:
         return _add_lit(plotter, volume, density, scalars, color, distance, sun, options)
     full = reference or _highest(volume, density)  # the density of opacity 1
@@ -86,14 +94,28 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     options["opacity_scale"] = headroom * require_number(options.get("opacity_scale", 1.0), "opacity_scale", least=0)
     limits = (0.0, full * headroom)
     if scalars is None:
-        require_plotter(plotter)
-        default = "dimgray" if is_light(plotter) else "white"
-        one = pyvista.Color(default if color is None else color).hex_rgb
+        one = pyvista.Color(_colour(plotter, media) if color is None else color).hex_rgb
         options["cmap"] = [one, one]
         if not options.setdefault("show_scalar_bar", False):
-            return add_cells(plotter, volume, density, clim=limits, **options)
+            return _smoke(add_cells(plotter, volume, density, clim=limits, **options))
         scalars, options["clim"] = density, (0.0, full)
-    return add_cells(plotter, volume, scalars, opacity_scalars=density, opacity_clim=limits, **options)
+    return _smoke(add_cells(plotter, volume, scalars, opacity_scalars=density, opacity_clim=limits, **options))
+
+
+def _smoke(drawn: pyvista.Volume) -> pyvista.Volume:
+    """The volume, marked for smoke that is added later: all smoke looks alike."""
+    drawn.mapper._is_smoke = True
+    return drawn
+
+
+def _colour(plotter: pyvista.BasePlotter, media: list[Any]) -> str:
+    """The first that is not near a colour of the other media; otherwise the farthest."""
+    usual = ["dimgray", "white"] if is_light(plotter) else ["white", "dimgray"]
+    if not media:
+        return usual[0]
+    others = np.concatenate([[plotter.background_color.float_rgb], *(colours_of(volume.GetProperty()) for volume in media)])
+    distances = {name: float(np.linalg.norm(others - pyvista.Color(name).float_rgb, axis=1).min()) for name in (*usual, LOUD)}
+    return next((name for name, distance in distances.items() if distance >= NEAR), max(distances, key=distances.__getitem__))
 
 
 def _refuse_ranges(has_colours: bool, options: dict[str, Any]) -> None:

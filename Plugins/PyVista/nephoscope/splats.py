@@ -16,13 +16,14 @@ from ._blocks import cell_dimension
 from ._checks import choose, renamed_argument, require_beside_scalars, require_number
 from ._copies import copied_table
 from ._from_xarray import add_earth_for, darken_for, title_with_units
+from ._media import is_drawn
 from ._medium import Functions, MediumMapper, add_medium, named_extinction, require_dataset, require_plotter, scalar_array, title_of_scalars
 from ._options import group, refuse_unknown
 from ._pipeline import level_of_caller
 from ._uniform import FAINTER, concentration, is_bare, uniform_colours
 from ._typing import Kernel, LevelOfDetailOptions, Numbers, OldSplatNames, Preference, ToneMapping, VectorOptions
 from ._vectors import OLD_NAMES as VECTOR_NAMES
-from ._vectors import Vectors, is_drawn
+from ._vectors import Vectors
 from .light import brightest, lit_medium, refuse_color
 from .transfer import OpacityLike
 
