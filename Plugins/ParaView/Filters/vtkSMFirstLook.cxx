@@ -4,6 +4,7 @@
 
 #include "ActiveSourceArrays.h"
 #include "ClassesOfSuite.h"
+#include "DeletedInputs.h"
 #include "FirstCamera.h"
 #include "FirstColors.h"
 #include "FlowVolumePolygon.h"
@@ -267,6 +268,10 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
     nephoscope::DrawPolygonsOfWidgets(proxy);
     vtkRankMessages::Follow(proxy);
     return;
+  }
+  if (vtkSMPVRepresentationProxy::SafeDownCast(proxy))
+  {
+    nephoscope::OutliveOptionalInputs(proxy);
   }
   if (proxy)
   {

@@ -220,6 +220,11 @@ def check_density_volume():
     grid.Function = "0.8"
     after = color_and_alpha(view)[1]
     check(abs(after[50, 50] - (1 - math.exp(-1.6))) < 0.01, "a volume that changes is not drawn anew")
+    pvs.Delete(grid)  # ParaView would delete the display too
+    check(display.SMProxy in [one.SMProxy for one in view.Representations], "the display has gone with its density volume")
+    check(display.CloudTextureDensityVolume is None, "the display still has the volume")
+    display.CloudTextureDensityArrayName = "None"
+    check_same(plain, image(view), "after the volume has been deleted", largest=1, mean=0.01)
 
 
 def halves_of(whole):

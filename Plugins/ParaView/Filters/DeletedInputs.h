@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Displays outlive the sources of their optional inputs, such as a density volume.
+#ifndef nephoscope_DeletedInputs_h
+#define nephoscope_DeletedInputs_h
+
+class vtkSMProxy;
+
+namespace nephoscope
+{
+/**
+ * Call it for a new display. ParaView deletes a display with any source that it uses; this takes a
+ * source that is about to be deleted away from the optional inputs of all displays.
+ */
+void OutliveOptionalInputs(vtkSMProxy* display);
+}
+
+#endif
