@@ -24,8 +24,9 @@ struct FlowField
   std::unique_ptr<const DataSetField> Field;
   vtkSmartPointer<vtkDataObject> Data; // a shared copy, which the field refers to
   VelocityArray Velocity;
-  double Diagonal = 0.0;  // of the bounds
-  vtkMTimeType MTime = 0; // of the data when the field was made
+  double Diagonal = 0.0;    // of the bounds
+  double BlankedSize = 0.0; // of the smallest blanked cell; 0: none
+  vtkMTimeType MTime = 0;   // of the data when the field was made
 
   bool IsOf(vtkMTimeType newest, const VelocityArray& velocity) const
   {

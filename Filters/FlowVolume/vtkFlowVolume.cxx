@@ -151,6 +151,7 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
   made->Data = nephoscope::SharedCopy(input);
   made->Velocity = velocity;
   made->Diagonal = exchange.DiagonalOf(sets);
+  made->BlankedSize = exchange.SmallestBlanked(sets);
   made->MTime = newest;
   made->Field = exchange.MakeVelocityField(made->Data, velocity, problem);
   if (!made->Field)
@@ -333,7 +334,10 @@ bool vtkFlowVolume::CheckSettings()
     { "PolygonEdgeLength", this->PolygonEdgeLength, "automatic" },
     { "Duration", this->Duration, "automatic" }, { "TimeStep", this->TimeStep, "automatic" },
     { "MaximumEdgeLength", this->MaximumEdgeLength, "automatic" },
-    { "MinimumEdgeLength", this->MinimumEdgeLength, "never merged" } };
+    { "MinimumEdgeLength", this->MinimumEdgeLength, "never merged" },
+    { "MaximumAreaRatio", this->MaximumAreaRatio, "any" },
+    { "MaximumDivergence", this->MaximumDivergence, "any" },
+    { "ObstacleSize", this->ObstacleSize, "automatic" } };
   for (const Setting& setting : settings)
   {
     if (!(setting.Value >= 0.0) || !std::isfinite(setting.Value))
@@ -452,7 +456,13 @@ void vtkFlowVolume::PrintSelf(ostream& os, vtkIndent indent)
   print("TimeStep", this->TimeStep);
   print("MaximumEdgeLength", this->MaximumEdgeLength);
   print("MinimumEdgeLength", this->MinimumEdgeLength);
+  print("EdgeLevels", this->EdgeLevels);
   print("MaximumTurnAngle", this->MaximumTurnAngle);
+  print("MaximumAreaRatio", this->MaximumAreaRatio);
+  print("MaximumDivergence", this->MaximumDivergence);
+  print("MaximumHalvings", this->MaximumHalvings);
+  print("ObstacleLevels", this->ObstacleLevels);
+  print("ObstacleSize", this->ObstacleSize);
   print("Integrator", this->Integrator == RUNGE_KUTTA_4 ? "RungeKutta4" : "RungeKutta45");
   print("Tolerance", this->Tolerance);
   print("Unsteady", this->Unsteady);

@@ -198,6 +198,16 @@ public:
 
   ///@{
   /**
+   * Edges of a layer are halved down to MaximumEdgeLength over 2 to this power, 0 to 16; shorter
+   * edges stay whole, however long the flow makes them in the next step. Default 6: 1/64. Steady
+   * flow.
+   */
+  vtkSetClampMacro(EdgeLevels, int, 0, 16);
+  vtkGetMacro(EdgeLevels, int);
+  ///@}
+
+  ///@{
+  /**
    * Shorter edges of a layer, where streamlines converge, are collapsed; 0 (default): never. Keep
    * it below a third of MaximumEdgeLength. Not used for unsteady smoke.
    */
@@ -209,10 +219,61 @@ public:
   /**
    * A time step is halved if the path of a vertex turns by more than this angle, in degrees; 0:
    * never. Default 15, which gives an error of about 1 % (1 - sin a / a) in the volume of a prism.
-   * Not used for unsteady smoke.
+   * Unsteady: vertices whose path turns more are moved in halves of the step, unless the integrator
+   * is RungeKutta45, which chooses its steps; and layers are released between the regular ones
+   * while the smoke that leaves the polygon turns by more between two of them.
    */
   vtkSetClampMacro(MaximumTurnAngle, double, 0.0, 180.0);
   vtkGetMacro(MaximumTurnAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * A time step is halved if the area of a triangle of the layer changes by more than this factor
+   * in it, greater than 1; 0: never. Default 2. Steady flow.
+   */
+  vtkSetMacro(MaximumAreaRatio, double);
+  vtkGetMacro(MaximumAreaRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * A time step is halved if the divergence of the flow times the step is more than this; 0: never.
+   * Default 0.5. Steady flow.
+   */
+  vtkSetMacro(MaximumDivergence, double);
+  vtkGetMacro(MaximumDivergence, double);
+  ///@}
+
+  ///@{
+  /**
+   * How often a time step is halved at most, 0 to 16. Default 4: into 16 parts. Less if
+   * MaximumNumberOfTetrahedra requires it.
+   */
+  vtkSetClampMacro(MaximumHalvings, int, 0, 16);
+  vtkGetMacro(MaximumHalvings, int);
+  ///@}
+
+  ///@{
+  /**
+   * Before smoke ends at an obstacle, its triangles are divided until their edges are no longer
+   * than MaximumEdgeLength over 2 to this power, 0 to 16. Default 2: a quarter. 0: never. Unsteady:
+   * tetrahedra with an obstacle between their corners.
+   */
+  vtkSetClampMacro(ObstacleLevels, int, 0, 16);
+  vtkGetMacro(ObstacleLevels, int);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the smallest obstacles that are found where no corner of the smoke meets them: the
+   * velocity is sampled inside the prisms (unsteady: tetrahedra) at this distance, at most 64 times
+   * along an edge. 0 (default): the size of the smallest blanked cell; without blanked cells,
+   * corners only. Set it for holes of unstructured data and for values that are not numbers. A
+   * length greater than the edges switches the search off.
+   */
+  vtkSetMacro(ObstacleSize, double);
+  vtkGetMacro(ObstacleSize, double);
   ///@}
 
   ///@{
@@ -245,9 +306,9 @@ public:
    *
    * Every TimeStep seconds a layer is released, and all layers move with the flow. Edges of
    * tetrahedra that become longer than MaximumEdgeLength (and than those of the polygon's
-   * triangles) are halved, with all adjacent tetrahedra; MinimumEdgeLength and MaximumTurnAngle are
-   * not used. A tetrahedron ends when one of its corners leaves the data. Until then it keeps its
-   * mass: Density is mass over volume.
+   * triangles) are halved at any age, with all adjacent tetrahedra; MinimumEdgeLength is not used.
+   * A tetrahedron ends when one of its corners leaves the data. Until then it keeps its mass:
+   * Density is mass over volume.
    */
   vtkSetMacro(Unsteady, bool);
   vtkGetMacro(Unsteady, bool);
@@ -426,7 +487,13 @@ private:
   double TimeStep = 0.0;
   double MaximumEdgeLength = 0.0;
   double MinimumEdgeLength = 0.0;
+  int EdgeLevels = 6;
   double MaximumTurnAngle = 15.0;
+  double MaximumAreaRatio = 2.0;
+  double MaximumDivergence = 0.5;
+  int MaximumHalvings = 4;
+  int ObstacleLevels = 2;
+  double ObstacleSize = 0.0;
   int Integrator = RUNGE_KUTTA_4;
   double Tolerance = 1e-6;
   bool Unsteady = false;

@@ -147,7 +147,13 @@ bool vtkFlowVolume::FindSettings(const nephoscope::FlowField& field,
     ? this->MaximumEdgeLength
     : std::max(3.0 * flow.LongestEdge, flow.MeanSpeed * settings.TimeStep);
   settings.MinimumEdgeLength = this->MinimumEdgeLength;
+  settings.EdgeLevels = this->EdgeLevels;
   settings.MaximumTurnAngle = vtkMath::RadiansFromDegrees(this->MaximumTurnAngle);
+  settings.MaximumAreaRatio = this->MaximumAreaRatio;
+  settings.MaximumDivergence = this->MaximumDivergence;
+  settings.MaximumHalvings = this->MaximumHalvings;
+  settings.ObstacleLevels = this->ObstacleLevels;
+  settings.ObstacleSize = this->ObstacleSize > 0.0 ? this->ObstacleSize : field.BlankedSize;
   settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
   settings.Tolerance = this->Tolerance;
   settings.FarthestObstacle = field.Diagonal;
@@ -221,7 +227,8 @@ void vtkFlowVolume::WarnOfLongEdges()
     vtkWarningMacro(
       "The smoke is coarser than requested, so that its whole duration fits into MaximumNumberOfTetrahedra ("
       << this->MaximumNumberOfTetrahedra << "). Some edges are longer than MaximumEdgeLength ("
-      << this->MaximumEdgeLengthUsed << "). Allow more tetrahedra, or lengthen MaximumEdgeLength.");
+      << this->MaximumEdgeLengthUsed << "), or turn by more than MaximumTurnAngle ("
+      << this->MaximumTurnAngle << "). Allow more tetrahedra, or lengthen MaximumEdgeLength.");
   }
 }
 

@@ -20,6 +20,7 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -295,6 +296,10 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
     : followed > 0.0                       ? followed / 64.0
                                            : 1.0;
   settings.Duration = this->Duration;
+  settings.MaximumTurnAngle = vtkMath::RadiansFromDegrees(this->MaximumTurnAngle);
+  settings.MaximumHalvings = this->MaximumHalvings;
+  settings.ObstacleSize =
+    this->ObstacleSize > 0.0 ? this->ObstacleSize : streak.Second->BlankedSize;
   settings.MaximumNumberOfTetrahedra = static_cast<std::size_t>(this->MaximumNumberOfTetrahedra);
   if (!this->CheckNumberOfSteps(followed, settings.TimeStep))
   {
@@ -312,6 +317,8 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
   settings.MaximumEdgeLength = this->MaximumEdgeLength > 0.0
     ? std::max(this->MaximumEdgeLength, flow.LongestEdge)
     : 3.0 * std::max(flow.LongestEdge, flow.MeanSpeed * settings.TimeStep);
+  settings.ObstacleEdge =
+    this->ObstacleLevels > 0 ? std::ldexp(settings.MaximumEdgeLength, -this->ObstacleLevels) : 0.0;
   settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
   settings.Tolerance = this->Tolerance * flow.LongestEdge;
   streak.Normal = flow.Normal;
@@ -392,7 +399,7 @@ void vtkFlowVolume::WriteStreak(vtkUnstructuredGrid* output)
   {
     this->WarnOfCoarsening(streak.PolygonEdgeLength, false);
   }
-  else if (streak.Volume->IsCoarser())
+  else if (mesh.Report.Coarser)
   {
     this->WarnOfLongEdges();
   }

@@ -19,8 +19,8 @@ enum class StepVerdict
 struct StepLimits
 {
   double Turn = 0.0; // radians between the tangents at the start and the end of the step; 0: any
-  double AreaRatio = 2.0;
-  double Divergence = 0.5; // times the step
+  double AreaRatio = 2.0;  // of a triangle after the step and before it; 0: any
+  double Divergence = 0.5; // times the step; 0: any
 };
 
 // Collects the worst of all points and triangles. Tangents are not sampled: two chords in a row of
@@ -53,12 +53,15 @@ public:
     const double low = std::min(squaredBelow, squaredAbove);
     const double high = std::max(squaredBelow, squaredAbove);
     const double limit = this->Limits.AreaRatio;
-    this->Add(high > limit * limit * low, high > limit * low);
+    if (limit > 0.0)
+    {
+      this->Add(high > limit * limit * low, high > limit * low);
+    }
   }
 
   void AddDensities(double below, double above)
   {
-    if (below > 0.0 && above > 0.0)
+    if (this->Limits.Divergence > 0.0 && below > 0.0 && above > 0.0)
     {
       const double divergence = std::abs(std::log(below / above)) * this->Extrapolation;
       this->Add(divergence > this->Limits.Divergence, divergence > 0.5 * this->Limits.Divergence);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlowVolumeExchange.h"
 
+#include "BlankedCells.h"
 #include "DataSets.h"
 #include "DistributedField.h"
 #include "MeshSlice.h"
@@ -133,6 +134,16 @@ double FlowVolumeExchange::DiagonalOf(const std::vector<vtkDataSet*>& sets) cons
 {
   const vtkBoundingBox box = this->BoundsOf(sets);
   return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+
+double FlowVolumeExchange::SmallestBlanked(const std::vector<vtkDataSet*>& sets) const
+{
+  double smallest = 0.0;
+  for (const double size : this->Gather({ SmallestBlankedCell(sets) }))
+  {
+    smallest = size > 0.0 && (smallest == 0.0 || size < smallest) ? size : smallest;
+  }
+  return smallest;
 }
 
 bool FlowVolumeExchange::ChooseVelocity(

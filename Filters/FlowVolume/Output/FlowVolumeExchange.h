@@ -59,6 +59,9 @@ public:
   vtkBoundingBox BoundsOf(const std::vector<vtkDataSet*>& sets) const;
   double DiagonalOf(const std::vector<vtkDataSet*>& sets) const;
 
+  // The size of the smallest blanked cell of all ranks (BlankedCells.h); 0 if there is none.
+  double SmallestBlanked(const std::vector<vtkDataSet*>& sets) const;
+
   // As the functions of these names (VelocityChoice.h, VelocityFields.h, DataSets.h) for the data
   // of all ranks, of which some may be without cells. The lowest rank that can choose does. The
   // answers, also the problems, are the same on all ranks.

@@ -80,7 +80,9 @@ private:
 std::size_t MarkFirstEdges(const SmokeFront& front, const Flow& flow, const EdgeLimits& limits,
   std::vector<unsigned char>& marks)
 {
-  MarkEdges(front, front.Positions, flow.Inside, limits, marks);
+  const std::vector<unsigned char> none(front.Triangles.size(),
+    0); // found in the first layer
+  MarkEdges(front, front.Positions, flow.Inside, none, limits, marks);
   for (std::size_t t = 0; t < front.Triangles.size(); ++t)
   {
     const FrontTriangle& triangle = front.Triangles[t];

@@ -47,9 +47,11 @@ inline bool MarkTriangle(
   return any;
 }
 
-// Triangles that meet an obstacle are divided on all sides, so that what ends fits it closely.
+// Triangles that meet an obstacle, with a corner or between (`blocked`), are
+// divided on all sides, so that what ends fits it closely.
 inline void MarkObstacleEdges(const SmokeFront& front, const std::vector<unsigned char>& inside,
-  const EdgeLimits& limits, std::vector<unsigned char>& marks)
+  const std::vector<unsigned char>& blocked, const EdgeLimits& limits,
+  std::vector<unsigned char>& marks)
 {
   for (std::size_t t = 0; t < front.Triangles.size(); ++t)
   {
@@ -58,7 +60,7 @@ inline void MarkObstacleEdges(const SmokeFront& front, const std::vector<unsigne
     {
       corners += inside[static_cast<std::size_t>(point)];
     }
-    if (corners % 3 != 0)
+    if (corners % 3 != 0 || (corners == 3 && blocked[t]))
     {
       MarkTriangle(front, t, limits.Obstacle, marks);
     }
@@ -67,12 +69,12 @@ inline void MarkObstacleEdges(const SmokeFront& front, const std::vector<unsigne
 
 // Returns the number of marks, one for each edge.
 inline std::size_t MarkEdges(const SmokeFront& front, const std::vector<Vector3>& above,
-  const std::vector<unsigned char>& inside, const EdgeLimits& limits,
-  std::vector<unsigned char>& marks)
+  const std::vector<unsigned char>& inside, const std::vector<unsigned char>& blocked,
+  const EdgeLimits& limits, std::vector<unsigned char>& marks)
 {
   marks.assign(front.Edges.Size(), 0);
   MarkLongEdges(front, above, inside, limits, marks);
-  MarkObstacleEdges(front, inside, limits, marks);
+  MarkObstacleEdges(front, inside, blocked, limits, marks);
   return static_cast<std::size_t>(std::count(marks.begin(), marks.end(), 1));
 }
 }

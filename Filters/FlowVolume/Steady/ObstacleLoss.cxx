@@ -82,6 +82,10 @@ double MassAtObstacles(
   }
   const Samples there(field, time, ahead);
   std::vector<double> masses(ended.size(), 0.0);
+  for (std::size_t e = 0; e < ended.size(); ++e)
+  {
+    masses[e] = ended[e].AtObstacle ? ended[e].Mass : 0.0;
+  }
   for (std::size_t i = 0; i < ahead.size(); ++i)
   {
     masses[owners[i]] = there.Inside[i] ? ended[owners[i]].Mass : masses[owners[i]];

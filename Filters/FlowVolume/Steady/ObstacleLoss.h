@@ -18,6 +18,7 @@ struct EndedSmoke
   std::array<Vector3, 3>
     Corners; // before the step; a corner on a divided edge may lie in an obstacle
   std::array<bool, 3> Leaves = {}; // which of them the step leads out of the data
+  bool AtObstacle = false;         // known to have met one
   double Step = 0.0;               // s
   double Mass = 0.0;               // that it would still have carried
 };

@@ -44,6 +44,7 @@ struct SmokeReport
     0; // of the polygon: the flow crosses them both ways, or not at all; they emit nothing
   bool StartedOutside = false; // some of the polygon is outside the data
   bool LimitReached = false;   // MaximumNumberOfTetrahedra
+  bool Coarser = false;        // unsteady: for want of tetrahedra, edges are longer or turn more
   bool Stopped = false;        // the progress function asked for it
 };
 
@@ -78,20 +79,31 @@ struct FlowVolumeSettings
 {
   double Duration = 1.0; // s
   double TimeStep = 0.1; // s between layers
-  // Longer edges of a layer are halved, down to 1/64 of this; 0: any length.
+  // Longer edges of a layer are halved, down to this over 2 to the power EdgeLevels (1/64); 0: any
+  // length.
   double MaximumEdgeLength = 0.0;
+  int EdgeLevels = 6;
   // Shorter edges of a layer are merged; 0: never. More than a third of MaximumEdgeLength counts as
   // a third.
   double MinimumEdgeLength = 0.0;
   // Radians that a path turns in a step; 15 degrees. 0: any.
   double MaximumTurnAngle = 0.2617993877991494;
+  // Factor by which the area of a triangle changes in a step, and divergence times the step; 0:
+  // any.
+  double MaximumAreaRatio = 2.0;
+  double MaximumDivergence = 0.5;
   // A step is halved at most so often: into 16 parts.
   int MaximumHalvings = 4;
   // Triangles that meet an obstacle or a boundary are divided until their edges are shorter than
   // MaximumEdgeLength (without one: the longest edge of the polygon) over 2 to this power. 0:
   // never.
   int ObstacleLevels = 2;
-  // Smoke that ends has met an obstacle if there are data again within this length ahead of it.
+  // Obstacles of this length or longer are found between the corners of
+  // triangles and on the way of a step; 0: only where the corners, in the
+  // stages of a step, meet them.
+  double ObstacleSize = 0.0;
+  // Smoke that ends has met an obstacle if there are data again within this
+  // length ahead of it.
   double FarthestObstacle = 0.0;
   bool Adaptive = false;   // RK45 with error control instead of RK4
   double Tolerance = 1e-6; // of the adaptive method, relative to the edge length of the polygon

@@ -6,6 +6,7 @@
 #include "FrontMerging.h"
 #include "LayerIntegrator.h"
 #include "ObstacleLoss.h"
+#include "ObstacleSearch.h"
 #include "StepControl.h"
 
 #include <numeric>
@@ -14,8 +15,6 @@ namespace nephoscope
 {
 namespace
 {
-constexpr double shortestOfLongest = 1.0 / 64.0; // edges that are divided, of MaximumEdgeLength
-
 double LongestEdge(const SmokeFront& front)
 {
   double longest = 0.0;
@@ -81,7 +80,7 @@ private:
     const double longest = LongestEdge(this->Front);
     this->Rest = 1e-12 * longest;
     this->Edges.Longest = std::max(s.MaximumEdgeLength, 0.0);
-    this->Edges.Shortest = shortestOfLongest * this->Edges.Longest;
+    this->Edges.Shortest = std::ldexp(this->Edges.Longest, -s.EdgeLevels);
     this->Edges.Obstacle = s.ObstacleLevels > 0
       ? std::ldexp(this->Edges.Longest > 0.0 ? this->Edges.Longest : longest, -s.ObstacleLevels)
       : 0.0;
@@ -152,7 +151,8 @@ private:
   {
     const double step = this->Between.Step;
     this->Integrator.Advance(this->Front, step, this->Top);
-    const StepLimits limits = { this->Settings.MaximumTurnAngle };
+    const StepLimits limits = { this->Settings.MaximumTurnAngle, this->Settings.MaximumAreaRatio,
+      this->Settings.MaximumDivergence };
     const StepVerdict verdict =
       CheckStep(this->Front, this->Top.Positions, this->Top.Inside, limits, this->LastStep, step);
     this->Calm = verdict == StepVerdict::Calm;
@@ -225,8 +225,14 @@ private:
   // Halves edges of the front until none is too long; false if the mesh would get too large.
   bool DivideFront()
   {
-    while (MarkEdges(this->Front, this->Top.Positions, this->Top.Inside, this->Edges, this->Marks))
+    for (;;)
     {
+      this->FindObstacles();
+      if (MarkEdges(this->Front, this->Top.Positions, this->Top.Inside, this->Blocked, this->Edges,
+            this->Marks) == 0)
+      {
+        return true;
+      }
       const auto marks = static_cast<std::size_t>(
         std::count(this->Marks.begin(), this->Marks.end(), static_cast<unsigned char>(1)));
       // An edge on the front belongs to some six tetrahedra, and divides two triangles.
@@ -237,7 +243,38 @@ private:
       }
       this->HalveMarked();
     }
-    return true;
+  }
+
+  // Which triangles of the front would sweep over an obstacle that none of
+  // their corners meets.
+  void FindObstacles()
+  {
+    ObstacleSearch search(
+      this->Field, this->Time, this->Settings.ObstacleSize, this->Front.Triangles.size());
+    for (std::size_t t = 0; t < this->Front.Triangles.size(); ++t)
+    {
+      const FrontTriangle& triangle = this->Front.Triangles[t];
+      std::array<Vector3, 3> below, above;
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        const auto point = static_cast<std::size_t>(triangle.Points[c]);
+        below[c] = this->Front.Positions[point];
+        above[c] = this->Top.Positions[point];
+      }
+      if (this->Arrives(triangle))
+      {
+        search.AddPrism(t, below, above, this->LayerStart == 0.0,
+          this->Front.Hints[static_cast<std::size_t>(triangle.Points[0])]);
+      }
+    }
+    this->Blocked = search.Find();
+  }
+
+  // With all corners.
+  bool Arrives(const FrontTriangle& triangle) const
+  {
+    return std::all_of(triangle.Points.begin(), triangle.Points.end(),
+      [this](PointId p) { return this->Top.Inside[static_cast<std::size_t>(p)] != 0; });
   }
 
   void HalveMarked()
@@ -291,8 +328,7 @@ private:
     for (std::size_t t = 0; t < this->Front.Triangles.size(); ++t)
     {
       const FrontTriangle& triangle = this->Front.Triangles[t];
-      if (std::all_of(triangle.Points.begin(), triangle.Points.end(),
-            [this](PointId p) { return this->Top.Inside[static_cast<std::size_t>(p)] != 0; }))
+      if (this->Arrives(triangle) && !this->Blocked[t])
       {
         above.Triangles.push_back(triangle);
         this->Between.Origins.push_back(t);
@@ -328,6 +364,7 @@ private:
       smoke.Corners[c] = this->Front.Corner(triangle, c);
       smoke.Leaves[c] = !this->Top.Inside[static_cast<std::size_t>(triangle.Points[c])];
     }
+    smoke.AtObstacle = this->Arrives(triangle); // which lies between the corners
     smoke.Step = this->Between.Step;
     smoke.Mass = this->MassToCome(triangle);
     return smoke;
@@ -457,9 +494,10 @@ private:
   ArrivedPoints Top;
   Slab Between;
   std::vector<EndedSmoke> Ending, Ended; // of the present layer, of all layers
-  std::vector<unsigned char> Marks;
-  std::size_t FirstTetrahedron = 0; // of the last slab
-  int Depth = 0;                    // halvings of the step
+  std::vector<unsigned char> Marks;      // of edges
+  std::vector<unsigned char> Blocked;    // triangles with an obstacle between their corners
+  std::size_t FirstTetrahedron = 0;      // of the last slab
+  int Depth = 0;                         // halvings of the step
   bool Calm = false;
   double LayerStart = 0.0; // s
   double LastStep = 0.0;   // s; 0 at the polygon

@@ -126,7 +126,8 @@ class BadInput(unittest.TestCase):
         self.expect(cube((0.3, 0.1, 0.2)), "parallel", NormalToFlow=False, Normal=(0, 2, -1))
 
     def test_settings(self):
-        for name in ("Radius", "PolygonEdgeLength", "Duration", "TimeStep", "MaximumEdgeLength", "MinimumEdgeLength"):
+        for name in ("Radius", "PolygonEdgeLength", "Duration", "TimeStep", "MaximumEdgeLength", "MinimumEdgeLength", "MaximumAreaRatio",
+                     "MaximumDivergence", "ObstacleSize"):
             for value in (-1.0, np.nan, np.inf):
                 self.expect(cube(), f"{name} is {value:g}", "must be positive", **{name: value})
         self.expect(cube(), "Center and Normal", Center=(np.nan, 0, 0))

@@ -96,6 +96,28 @@ class Datasets(unittest.TestCase):
         self.assertGreater(made.GetLostMass(), 0)
         self.assertAlmostEqual((smoke.mass() + made.GetLostMass()) / made.GetEmittedMass(), 1, places=9)
 
+    def test_blanked_cell_between_corners(self):
+        """A cell of 1/24 of the cube in front of a polygon of four triangles. The smoke behind it is missing; without the search, nothing."""
+        data = cube(24, wind=(0, 0, 1))
+        ghosts = np.zeros(data.GetNumberOfCells(), np.uint8)
+        ghosts.reshape(24, 24, 24)[11, 12, 11] = vtkDataSetAttributes.HIDDENCELL
+        meshes.add_array(data.GetCellData(), ghosts, "vtkGhostType")
+        settings = dict(Center=(0, 0, -0.8), Radius=0.4, NumberOfSides=4, PolygonEdgeLength=1, Duration=1.5, TimeStep=0.25, MaximumEdgeLength=0.8)
+        lost = {}
+        for size, levels in ((10, 2), (0, 2), (0, 5), (0.04, 5)):
+            smoke, messages = update(flow_volume(data, ObstacleSize=size, ObstacleLevels=levels, **settings))
+            lost[size, levels] = made = smoke.made.GetObstacleMass()
+            self.assertAlmostEqual(made, smoke.made.GetLostMass(), places=12)
+            self.assertAlmostEqual((smoke.mass() + made) / smoke.made.GetEmittedMass(), 1, places=9)
+            self.assertEqual(len(messages), made > 0.01 * smoke.made.GetEmittedMass(), messages)
+            self.assertTrue((smoke.volumes() > 0).all())
+        least = (2 / 24)**2 * (1.5 - 0.7)
+        self.assertEqual(lost[10, 2], 0)
+        self.assertGreater(lost[0, 2], lost[0, 5])
+        self.assertGreater(lost[0, 5], least)
+        self.assertLess(lost[0, 5], 4 * least)
+        self.assertGreater(lost[0.04, 5], least)
+
     def test_missing_values_end_it(self):
         data = cube(8)
         v = vtk_to_numpy(data.GetPointData().GetArray("Flow"))

@@ -5,13 +5,33 @@ import unittest
 
 import numpy as np
 from nephoscope_testing.flow import flow_volume, radius_of, update
+from nephoscope_testing.meshes import add_array
 from nephoscope_testing.time_series import TimeSeries
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 TURN = 2 * np.pi
 
 
 def series(velocity, steps=11, end=1.0, **options):
     return TimeSeries(np.linspace(0, end, steps), velocity, **options)
+
+
+class Blanked(TimeSeries):
+    """With vtkGhostType on the cells."""
+
+    def __init__(self, *args, flags, **options):
+        super().__init__(*args, **options)
+        self.flags = flags(None)
+
+    def middle(self):
+        k, j, i = np.argwhere(self.flags.reshape(self.dimensions[::-1] - 1))[0]
+        low, high = self.bounds[::2], self.bounds[1::2]
+        return low + (np.array([i, j, k]) + 0.5) * (high - low) / (self.dimensions - 1)
+
+    def RequestData(self, request, inputs, outputs):
+        super().RequestData(request, inputs, outputs)
+        add_array(vtkImageData.GetData(outputs).GetCellData(), self.flags, "vtkGhostType")
+        return 1
 
 
 def circling(_points, time):
@@ -173,6 +193,67 @@ class Bisection(unittest.TestCase):
         self.assertAlmostEqual(smoke.age.max(), smoke.made.GetDurationUsed(), places=9, msg="smoke of the start is missing")
         self.assertAlmostEqual(smoke.age.min(), 0, places=9, msg="smoke of the end is missing")
         self.assertAlmostEqual(smoke.mass() / smoke.made.GetEmittedMass(), 1, places=12)
+
+
+    def test_at_any_age_and_time(self):
+        """Between two releases, at time steps of the data and beside them, the newest layer too is divided."""
+        for time in (0.15, 0.45, 0.93, 1.0):
+            smoke = follow(series(growing), time, MaximumEdgeLength=self.LIMIT, TimeStep=0.4, Radius=0.1)
+            self.assertLessEqual(smoke.edge_lengths().max(), self.LIMIT)
+            self.assertTrue(smoke.is_one_piece())
+            self.assertAlmostEqual(smoke.mass() / smoke.made.GetEmittedMass(), 1, places=12)
+
+
+class Turning(unittest.TestCase):
+    """Once around the z axis in a second, in steps of 45 degrees."""
+    SETTINGS = dict(Center=(0.5, 0, 0), Radius=0.1, TimeStep=1 / 8)
+
+    def smoke(self, angle, **settings):
+        turning = lambda p, t: np.column_stack([-TURN * p[:, 1], TURN * p[:, 0], np.full(len(p), 0.3)])
+        return follow(series(turning, 3), MaximumTurnAngle=angle, MaximumEdgeLength=5, **{**self.SETTINGS, **settings})
+
+    def error(self, smoke):
+        """Of the position of the smoke of the start, which has come round."""
+        oldest = smoke.points[smoke.age > 1 - 1e-9].mean(axis=0)
+        return np.linalg.norm(oldest - (0.5, 0, 0.3))
+
+    def test_paths(self):
+        """Runge-Kutta 4 has an error of h^4: steps of less than 45 / 3 degrees."""
+        errors = [self.error(self.smoke(angle)) for angle in (0, 15)]
+        self.assertGreater(errors[0], 1e-3)
+        self.assertLess(errors[1], errors[0] / 81)
+
+    def test_layers(self):
+        """The sag of a chord falls with the square of its angle, and with it the error of the volume."""
+        smokes = [self.smoke(angle) for angle in (0, 15)]
+        errors = [abs(smoke.volumes().sum() / smoke.made.GetEmittedMass() - 1) for smoke in smokes]
+        self.assertGreater(errors[0], 0.05)
+        self.assertLess(errors[1], 0.25 * errors[0])
+        for smoke in smokes:
+            self.assertTrue(smoke.is_one_piece())
+            self.assertEqual(set(smoke.cell_array("EmissionStep")), set(range(8)))
+            self.assertAlmostEqual(smoke.mass() / smoke.made.GetEmittedMass(), 1, places=12)
+        self.assertEqual(len(self.smoke(15, MaximumHalvings=0).cells), len(smokes[0].cells))
+
+
+class Obstacles(unittest.TestCase):
+    def blanked(self, points):
+        """One cell of 24³, around (0.04, 0.04, 0.29)."""
+        flags = np.zeros((24, 24, 24), np.uint8)
+        flags[9, 12, 12] = 32
+        return flags.ravel()
+
+    def test_smaller_than_a_triangle(self):
+        """The blanked cell is between the corners of the smoke: no tetrahedron covers its centre, and mass and volume stay true."""
+        for size, covered in ((0, False), (10, True)):
+            source = Blanked(np.linspace(0, 1, 3), lambda p, t: (0, 0, 1), dimensions=(25, 25, 25), flags=self.blanked)
+            smoke = follow(source, Radius=0.3, NumberOfSides=4, PolygonEdgeLength=1, TimeStep=0.25, ObstacleSize=size)
+            p = smoke.points[smoke.cells]
+            weights = np.linalg.solve(np.moveaxis(p[:, 1:] - p[:, :1], 1, 2), (source.middle() - p[:, 0])[..., None])[..., 0]
+            self.assertEqual(bool(((weights >= 0).all(axis=1) & (weights.sum(axis=1) <= 1)).any()), covered)
+            self.assertEqual(smoke.made.GetLostMass() > 0, not covered)
+            self.assertAlmostEqual((smoke.mass() + smoke.made.GetLostMass()) / smoke.made.GetEmittedMass(), 1, places=12)
+            self.assertLess(smoke.made.GetLostMass(), 0.5 * smoke.made.GetEmittedMass())
 
 
 class Arrays(unittest.TestCase):

@@ -152,6 +152,35 @@ TEST(SmokeConformity, PartsAtAnObstacle)
   EXPECT_LT(errors[2], 0.5 * errors[1]);
 }
 
+TEST(SmokeConformity, FindsObstaclesSmallerThanATriangleAndThinnerThanAStep)
+{
+  // A plate of width 0.08 and thickness 0.02 between the corners of triangles
+  // with edges of 0.4. Behind it, from z = 1 on, there is no smoke.
+  const FormulaField plate([](const Vector3& p, Vector3& v) {
+    v = { { 0, 0, 1 } };
+    return std::abs(p[0] - 0.21) > 0.04 || std::abs(p[1] - 0.13) > 0.04 ||
+      std::abs(p[2] - 1.005) > 0.01;
+  });
+  FlowVolumeSettings settings = Steps(2.0, 16);
+  settings.ObstacleLevels = 5;
+  settings.FarthestObstacle = 10.0;
+  const auto missed = Build(plate, Square(0.4, 2), settings);
+  EXPECT_EQ(missed.Report.LostMass, 0.0);
+  settings.ObstacleSize = 0.02;
+  const auto mesh = Build(plate, Square(0.4, 2), settings);
+  ExpectWhole(mesh);
+  EXPECT_NEAR(mesh.Report.ObstacleMass, mesh.Report.LostMass, 1e-9 * mesh.Report.LostMass);
+  // What the plate stops, in front of it a layer too much, and along its
+  // outline half a triangle of 1/32 of an edge or so.
+  EXPECT_GT(mesh.Report.LostMass, 0.08 * 0.08 * 1.005);
+  EXPECT_LT(mesh.Report.LostMass, 0.12 * 0.12 * 1.13);
+  settings.ObstacleLevels = 0;
+  const auto whole = Build(plate, Square(0.4, 2), settings);
+  ExpectWhole(whole);
+  // A whole triangle, from the beginning of the layer on.
+  EXPECT_NEAR(whole.Report.LostMass, 0.08 * 1.125, 1e-12);
+}
+
 TEST(SmokeConformity, TellsObstaclesFromTheEdgeOfTheData)
 {
   // A ball in front of the edge: what its disc stops is lost at the obstacle, and the rest at the

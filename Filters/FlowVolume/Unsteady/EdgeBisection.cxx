@@ -8,6 +8,7 @@
 #include <queue>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace nephoscope
 {
@@ -49,6 +50,10 @@ public:
     : Mesh(mesh)
     , Limits(limits)
   {
+    for (const HalvedEdge& edge : mesh.Front.Halved)
+    {
+      this->FrontMiddles.insert(edge.Middle);
+    }
   }
 
   bool Run()
@@ -57,6 +62,43 @@ public:
     {
       this->QueueEdges(t);
     }
+    return this->HalveAll();
+  }
+
+  std::size_t RunOnce(const std::vector<unsigned char>& marks)
+  {
+    this->IsOnce = true;
+    for (std::size_t t = 0; t < marks.size(); ++t)
+    {
+      if (marks[t])
+      {
+        this->ForLongEdges(t, [this](const Edge& edge, double length) {
+          if (this->Users.emplace(edge, std::vector<std::size_t>()).second)
+          {
+            this->Queue.push({ length, edge });
+          }
+        });
+      }
+    }
+    for (std::size_t t = 0; t < this->Mesh.Tetrahedra.size(); ++t)
+    {
+      this->QueueEdges(t);
+    }
+    const std::size_t before = this->Mesh.Positions.size();
+    this->HalveAll();
+    return this->Mesh.Positions.size() - before;
+  }
+
+private:
+  bool IsOnFront(PointId id) const
+  {
+    const StreakFront& front = this->Mesh.Front;
+    return (id >= front.First && id < front.First + static_cast<PointId>(front.Count)) ||
+      this->FrontMiddles.count(id) > 0;
+  }
+
+  bool HalveAll()
+  {
     while (!this->Queue.empty())
     {
       const Edge edge = this->Queue.top().Ends;
@@ -71,14 +113,8 @@ public:
     return true;
   }
 
-private:
-  bool IsFixed(PointId id) const
-  {
-    return id >= this->Limits.FirstFixed &&
-      id < this->Limits.FirstFixed + static_cast<PointId>(this->Limits.FixedPoints);
-  }
-
-  void QueueEdges(std::size_t t)
+  template <typename Action>
+  void ForLongEdges(std::size_t t, Action&& act)
   {
     const TetrahedronPoints& points = this->Mesh.Tetrahedra[t];
     for (std::size_t i = 0; i < 4; ++i)
@@ -88,18 +124,29 @@ private:
         const Edge edge{ std::min(points[i], points[j]), std::max(points[i], points[j]) };
         const double length = Distance(this->Mesh.Positions[static_cast<std::size_t>(edge.A)],
           this->Mesh.Positions[static_cast<std::size_t>(edge.B)]);
-        const bool isLong = length > this->Limits.MaximumEdgeLength && std::isfinite(length);
-        if (isLong && !(this->IsFixed(edge.A) && this->IsFixed(edge.B)))
+        if (length > this->Limits.MaximumEdgeLength && std::isfinite(length))
         {
-          auto& users = this->Users[edge];
-          if (users.empty())
-          {
-            this->Queue.push({ length, edge });
-          }
-          users.push_back(t);
+          act(edge, length);
         }
       }
     }
+  }
+
+  void QueueEdges(std::size_t t)
+  {
+    this->ForLongEdges(t, [&](const Edge& edge, double length) {
+      const auto place = this->IsOnce ? this->Users.find(edge)
+                                      : this->Users.emplace(edge, std::vector<std::size_t>()).first;
+      if (place == this->Users.end())
+      {
+        return; // not one of those that are halved once
+      }
+      if (!this->IsOnce && place->second.empty())
+      {
+        this->Queue.push({ length, edge });
+      }
+      place->second.push_back(t);
+    });
   }
 
   // A tetrahedron may be listed twice, and may have lost the edge since.
@@ -121,10 +168,14 @@ private:
 
   void Halve(const Edge& edge, const std::vector<std::size_t>& users)
   {
-    const auto a = static_cast<std::size_t>(edge.A), b = static_cast<std::size_t>(edge.B);
-    const PointId middle =
-      this->Mesh.AddPoint(Midpoint(this->Mesh.Positions[a], this->Mesh.Positions[b]),
-        this->Mesh.Hints[a], 1, 0.5 * (this->Mesh.ReleaseTimes[a] + this->Mesh.ReleaseTimes[b]));
+    const PointId middle = this->Mesh.AddMiddle(edge.A, edge.B);
+    // A tetrahedron has at most one side on the front, so an edge between two
+    // of its points is one of its edges.
+    if (this->IsOnFront(edge.A) && this->IsOnFront(edge.B))
+    {
+      this->Mesh.Front.Halved.push_back({ edge.A, edge.B, middle });
+      this->FrontMiddles.insert(middle);
+    }
     for (const std::size_t t : users)
     {
       const TetrahedronPoints whole = this->Mesh.Tetrahedra[t];
@@ -141,6 +192,8 @@ private:
 
   StreakMesh& Mesh;
   const BisectionLimits& Limits;
+  bool IsOnce = false; // only the edges that are in the queue at first
+  std::unordered_set<PointId> FrontMiddles;
   std::priority_queue<QueuedEdge> Queue;
   std::unordered_map<Edge, std::vector<std::size_t>, EdgeHash> Users;
 };
@@ -149,5 +202,56 @@ private:
 bool BisectLongEdges(StreakMesh& mesh, const BisectionLimits& limits)
 {
   return !(limits.MaximumEdgeLength > 0.0) || Bisection(mesh, limits).Run();
+}
+
+std::size_t BisectMarked(
+  StreakMesh& mesh, const BisectionLimits& limits, const std::vector<unsigned char>& marks)
+{
+  return limits.MaximumEdgeLength > 0.0 ? Bisection(mesh, limits).RunOnce(marks) : 0;
+}
+
+FrontDivision::FrontDivision(const StreakFront& front)
+{
+  for (const HalvedEdge& edge : front.Halved)
+  {
+    this->Cuts[{ edge.A, edge.B }] = { this->Cuts.size(), edge.Middle };
+  }
+}
+
+std::vector<TetrahedronPoints> FrontDivision::Divide(const TetrahedronPoints& tetrahedron) const
+{
+  std::vector<TetrahedronPoints> parts = { tetrahedron };
+  for (std::size_t p = 0; p < parts.size();)
+  {
+    const auto first = this->FirstCut(parts[p]);
+    if (first == this->Cuts.end())
+    {
+      ++p;
+      continue;
+    }
+    TetrahedronPoints half = parts[p];
+    std::replace(parts[p].begin(), parts[p].end(), first->first.first, first->second.Middle);
+    std::replace(half.begin(), half.end(), first->first.second, first->second.Middle);
+    parts.push_back(half);
+  }
+  return parts;
+}
+
+// The edge of the tetrahedron that was halved before its others; the end if
+// there is none.
+auto FrontDivision::FirstCut(const TetrahedronPoints& points) const -> CutMap::const_iterator
+{
+  auto first = this->Cuts.end();
+  for (std::size_t i = 0; i < 4 && !this->Cuts.empty(); ++i)
+  {
+    for (std::size_t j = i + 1; j < 4; ++j)
+    {
+      const auto cut = this->Cuts.find(std::minmax({ points[i], points[j] }));
+      const bool isEarlier = cut != this->Cuts.end() &&
+        (first == this->Cuts.end() || cut->second.Order < first->second.Order);
+      first = isEarlier ? cut : first;
+    }
+  }
+  return first;
 }
 }

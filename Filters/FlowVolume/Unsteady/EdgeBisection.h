@@ -9,6 +9,9 @@
 #include "StreakMesh.h"
 
 #include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace nephoscope
 {
@@ -16,14 +19,41 @@ struct BisectionLimits
 {
   double MaximumEdgeLength = 0.0;
   std::size_t MaximumNumberOfTetrahedra = 0;
-  PointId FirstFixed = 0;      // edges between two of these points are left, as
-  std::size_t FixedPoints = 0; // something else will be joined to them
 };
 
-// The new point lies in the middle of the edge, in place and in release time; both halves of a
-// tetrahedron have half its mass and half its volume. False if the limit of tetrahedra has been
+// The new point lies in the middle of the edge, in place and in release time;
+// both halves of a tetrahedron have half its mass and half its volume. Halved
+// edges of the front are noted in it. False if the limit of tetrahedra has been
 // reached.
 bool BisectLongEdges(StreakMesh& mesh, const BisectionLimits& limits);
+
+// The same once for each edge of the marked tetrahedra that is longer than the limit. Returns how
+// many have been halved.
+std::size_t BisectMarked(
+  StreakMesh& mesh, const BisectionLimits& limits, const std::vector<unsigned char>& marks);
+
+// The parts of a tetrahedron with corners on the front: it is cut as the
+// tetrahedra on the other side of the front have been.
+class FrontDivision
+{
+public:
+  explicit FrontDivision(const StreakFront& front);
+
+  std::vector<TetrahedronPoints> Divide(const TetrahedronPoints& tetrahedron) const;
+
+private:
+  struct Cut
+  {
+    std::size_t Order = 0;
+    PointId Middle = 0;
+  };
+
+  using CutMap = std::map<std::pair<PointId, PointId>, Cut>;
+
+  CutMap::const_iterator FirstCut(const TetrahedronPoints& points) const;
+
+  CutMap Cuts;
+};
 }
 
 #endif

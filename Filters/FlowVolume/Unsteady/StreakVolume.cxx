@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StreakVolume.h"
 
-#include "AdvanceParticles.h"
 #include "EdgeBisection.h"
+#include "LayerTimes.h"
+#include "ObstacleSearch.h"
 #include "SmokeGeometry.h"
 
 #include <algorithm>
@@ -14,19 +15,24 @@ namespace nephoscope
 {
 namespace
 {
+// Two layers that have been released one after the other, joined.
 struct DividedPrism
 {
-  std::array<TetrahedronPoints, 3> Tetrahedra;
-  std::array<double, 3> Volumes;
+  std::vector<TetrahedronPoints> Tetrahedra;
+  std::vector<double> Volumes;
   double Volume = 0.0;
 
-  DividedPrism(const PrismPoints& corners, const std::vector<Vector3>& points)
-    : Tetrahedra(PrismTetrahedra(corners))
+  DividedPrism(
+    const PrismPoints& corners, const FrontDivision& front, const std::vector<Vector3>& points)
   {
-    for (std::size_t i = 0; i < 3; ++i)
+    for (const TetrahedronPoints& whole : PrismTetrahedra(corners))
     {
-      this->Volumes[i] = std::abs(VolumeOf(this->Tetrahedra[i], points));
-      this->Volume += this->Volumes[i];
+      for (const TetrahedronPoints& part : front.Divide(whole))
+      {
+        this->Tetrahedra.push_back(part);
+        this->Volumes.push_back(std::abs(VolumeOf(part, points)));
+        this->Volume += this->Volumes.back();
+      }
     }
   }
 };
@@ -69,9 +75,10 @@ StreakVolume::StreakVolume(const PolygonMesh& polygon, const StreakSettings& set
   , PolygonInside(polygon.Points.size(), 1)
   , Settings(settings)
   , Now(settings.StartTime)
+  , Released(settings.StartTime)
   , Emitting(polygon.Triangles.size(), 0.0)
 {
-  this->FirstOfLayer = this->AddLayer(this->Smoke);
+  this->Smoke.Front = this->AddLayer(this->Smoke);
 }
 
 double StreakVolume::ReleaseTime(int layer) const
@@ -86,7 +93,7 @@ bool StreakVolume::AdvanceToLastRelease(
        next = this->ReleaseTime(this->Layer + 1))
   {
     this->Step(field, std::min(next, time));
-    this->ReleaseLayer();
+    this->ReleaseRegularLayer(field);
     if (!progress(this->Now))
     {
       return false;
@@ -108,21 +115,63 @@ bool StreakVolume::AdvanceTo(
 
 void StreakVolume::Step(const VelocityField& field, double time)
 {
-  if (time <= this->Now + this->Rounding())
+  while (time > this->Now + this->Rounding())
   {
-    return;
+    const double next = this->TimeOfNextLayer(field, time);
+    this->Move(field, next);
+    if (next < time)
+    {
+      this->ReleaseLayer();
+    }
+    if (!this->IsAt(this->ReleaseTime(this->Layer + 1)))
+    {
+      this->BisectTetrahedra(this->AllowedBeforeRelease());
+    }
   }
-  this->Emit(field, time);
+}
+
+double StreakVolume::TimeOfNextLayer(const VelocityField& field, double end)
+{
+  if (this->Full)
+  {
+    return end;
+  }
+  const double regular = this->ReleaseTime(this->Layer);
+  const double part = std::ldexp(this->Settings.TimeStep, -this->Settings.MaximumHalvings);
+  const double next = nephoscope::TimeOfNextLayer(field, this->Polygon, this->Smoke,
+    this->Integration(), { regular, part, this->Released, this->Now, end, this->Rounding() },
+    this->Settings.MaximumTurnAngle);
+  const std::size_t most = this->Smoke.Tetrahedra.size() + 3 * this->Polygon.Triangles.size();
+  if (next < end && most > this->AllowedBeforeRelease())
+  {
+    this->Coarser = true;
+    return end;
+  }
+  return next;
+}
+
+IntegrationSettings StreakVolume::Integration() const
+{
   IntegrationSettings integration;
   integration.Tolerance = this->Settings.Tolerance;
   integration.Method =
     this->Settings.Adaptive ? IntegrationMethod::DormandPrince : IntegrationMethod::RungeKutta4;
-  AdvanceParticles(field,
-    { this->Smoke.Positions.data(), this->Smoke.Hints.data(), this->Smoke.Inside.data(),
-      this->Smoke.Positions.size() },
-    this->Now, time - this->Now, integration);
+  return integration;
+}
+
+void StreakVolume::Move(const VelocityField& field, double time)
+{
+  if (time <= this->Now)
+  {
+    return;
+  }
+  this->Emit(field, time);
+  // The adaptive method chooses its steps itself.
+  const double angle = this->Settings.Adaptive ? 0.0 : this->Settings.MaximumTurnAngle;
+  AdvanceSmoke(field, this->Smoke, this->Now, time - this->Now, this->Integration(),
+    { angle, this->Settings.MaximumHalvings });
   this->Now = time;
-  this->EndSmoke();
+  this->EndSmoke(field);
 }
 
 // Simpson's rule: exact where the velocity is linear in time.
@@ -138,6 +187,10 @@ void StreakVolume::Emit(const VelocityField& field, double time)
   {
     PolygonVelocities velocities;
     velocities.Sample(field, this->Polygon, this->Now + 0.5 * i * step);
+    if (i == 0 && this->Released == this->Now)
+    {
+      this->TakeVelocities(velocities);
+    }
     for (std::size_t p = 0; p < this->PolygonInside.size(); ++p)
     {
       this->PolygonInside[p] = this->PolygonInside[p] && velocities.Inside[p];
@@ -149,101 +202,165 @@ void StreakVolume::Emit(const VelocityField& field, double time)
   }
 }
 
-void StreakVolume::ReleaseLayer()
+// The paths of a layer that has just been released start in these directions.
+void StreakVolume::TakeVelocities(const PolygonVelocities& velocities)
+{
+  for (std::size_t p = 0; p < velocities.Values.size(); ++p)
+  {
+    const auto point = static_cast<std::size_t>(this->Smoke.Front.First) + p;
+    this->Smoke.Ways[point] = velocities.Inside[p] ? velocities.Values[p] : Vector3{};
+  }
+}
+
+void StreakVolume::ReleaseRegularLayer(const VelocityField& field)
 {
   const std::size_t most = this->Smoke.Tetrahedra.size() + 3 * this->Polygon.Triangles.size();
   this->Full = this->Full || most > this->Settings.MaximumNumberOfTetrahedra;
+  this->ReleaseLayer();
+  ++this->Layer;
+  this->EndSmoke(field);
+  this->BisectTetrahedra(this->Allowed(this->Layer));
+}
+
+void StreakVolume::ReleaseLayer()
+{
   if (!this->Full)
   {
-    const PointId newer = this->AddLayer(this->Smoke);
-    this->Lost += this->JoinLayers(this->Smoke, newer);
-    this->FirstOfLayer = newer;
+    this->Lost += this->JoinLayer(this->Smoke);
     this->Emitted = std::accumulate(this->Emitting.begin(), this->Emitting.end(), this->Emitted);
+    this->Released = this->Now;
   }
   std::fill(this->Emitting.begin(), this->Emitting.end(), 0.0);
   std::fill(this->PolygonInside.begin(), this->PolygonInside.end(), 1);
-  ++this->Layer;
-  this->EndSmoke();
-  this->BisectTetrahedra();
 }
 
-PointId StreakVolume::AddLayer(StreakMesh& smoke) const
+StreakFront StreakVolume::AddLayer(StreakMesh& smoke) const
 {
-  const auto first = static_cast<PointId>(smoke.Positions.size());
-  for (std::size_t p = 0; p < this->Polygon.Points.size(); ++p)
+  StreakFront layer = { static_cast<PointId>(smoke.Positions.size()), this->Polygon.Points.size(),
+    {} };
+  for (std::size_t p = 0; p < layer.Count; ++p)
   {
     smoke.AddPoint(this->Polygon.Points[p], CellHint(), this->PolygonInside[p], this->Now);
   }
-  return first;
+  return layer;
 }
 
-// The last layer is downstream of the polygon, where the newer one is. Returns the mass for which
-// there is no prism, since a corner has left the data.
-double StreakVolume::JoinLayers(StreakMesh& smoke, PointId newer) const
+// Releases a layer and joins it to the front, which is downstream of it; it
+// becomes the front. Returns the mass for which there is no prism, since a
+// corner has left the data.
+double StreakVolume::JoinLayer(StreakMesh& smoke) const
 {
+  const FrontDivision front(smoke.Front);
+  const StreakFront layer = this->AddLayer(smoke);
   double lost = 0.0;
   for (std::size_t t = 0; t < this->Polygon.Triangles.size(); ++t)
   {
     const auto& corners = this->Polygon.Triangles[t];
-    const PointId older = this->FirstOfLayer;
+    const PointId newer = layer.First, older = smoke.Front.First;
     const PrismPoints points = { newer + corners[0], newer + corners[1], newer + corners[2],
       older + corners[0], older + corners[1], older + corners[2] };
     const bool inside = std::all_of(points.begin(), points.end(),
       [&](PointId id) { return smoke.Inside[static_cast<std::size_t>(id)]; });
-    const DividedPrism prism(points, smoke.Positions);
+    const DividedPrism prism(points, front, smoke.Positions);
     if (!inside || prism.Volume == 0.0)
     {
       lost += this->Emitting[t];
       continue;
     }
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < prism.Tetrahedra.size(); ++i)
     {
-      smoke.AddTetrahedron(
-        prism.Tetrahedra[i], this->Emitting[t] * (prism.Volumes[i] / prism.Volume), this->Layer);
+      const double mass = this->Emitting[t] * (prism.Volumes[i] / prism.Volume);
+      if (smoke.IsInside(prism.Tetrahedra[i]))
+      {
+        smoke.AddTetrahedron(prism.Tetrahedra[i], mass, this->Layer);
+      }
+      else
+      {
+        lost += mass;
+      }
     }
   }
+  smoke.Front = layer;
   return lost;
 }
 
-void StreakVolume::EndSmoke()
+void StreakVolume::EndSmoke(const VelocityField& field)
 {
   const double oldest = this->Now - this->Settings.Duration + this->Rounding();
   const std::size_t before = this->Smoke.Tetrahedra.size();
   this->Smoke.Filter([&](std::size_t t) {
-    const auto& points = this->Smoke.Tetrahedra[t];
-    const bool inside = std::all_of(points.begin(), points.end(),
-      [&](PointId id) { return this->Smoke.Inside[static_cast<std::size_t>(id)]; });
+    const bool inside = this->Smoke.IsInside(this->Smoke.Tetrahedra[t]);
     const bool expired = this->Settings.Duration > 0.0 &&
       this->ReleaseTime(this->Smoke.EmissionSteps[t] + 1) <= oldest;
     this->Lost += inside ? 0.0 : this->Smoke.Masses[t];
     this->Expired += inside && expired ? this->Smoke.Masses[t] : 0.0;
     return inside && !expired;
   });
+  this->EndAtObstacles(field);
   if (this->Smoke.Tetrahedra.size() < before)
   {
-    this->FirstOfLayer =
-      this->Smoke.DropUnusedPoints(this->FirstOfLayer, this->Polygon.Points.size());
+    this->Smoke.DropUnusedPoints();
   }
 }
 
-void StreakVolume::BisectTetrahedra()
+// Tetrahedra with an obstacle between their corners end too, but are divided before, so that what
+// ends fits it closely.
+void StreakVolume::EndAtObstacles(const VelocityField& field)
 {
-  const BisectionLimits limits = { this->Settings.MaximumEdgeLength, this->Allowed(),
-    this->FirstOfLayer, this->Polygon.Points.size() };
-  this->Coarser = !BisectLongEdges(this->Smoke, limits) || this->Coarser;
+  std::vector<unsigned char> blocked = this->FindBlocked(field);
+  const BisectionLimits limits = { this->Settings.ObstacleEdge, this->AllowedBeforeRelease() };
+  while (BisectMarked(this->Smoke, limits, blocked) > 0)
+  {
+    blocked = this->FindBlocked(field);
+  }
+  this->Smoke.Filter([&](std::size_t t) {
+    this->Lost += blocked[t] ? this->Smoke.Masses[t] : 0.0;
+    return !blocked[t];
+  });
 }
 
-// Every release may have as many tetrahedra as the others, and what the early ones do not need is
-// left to the later ones.
-std::size_t StreakVolume::Allowed() const
+std::vector<unsigned char> StreakVolume::FindBlocked(const VelocityField& field) const
+{
+  const StreakMesh& smoke = this->Smoke;
+  ObstacleSearch search(field, this->Now, this->Settings.ObstacleSize, smoke.Tetrahedra.size());
+  for (std::size_t t = 0; t < smoke.Tetrahedra.size(); ++t)
+  {
+    std::array<Vector3, 4> corners;
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      corners[c] = smoke.Positions[static_cast<std::size_t>(smoke.Tetrahedra[t][c])];
+    }
+    search.AddTetrahedron(
+      t, corners, smoke.Hints[static_cast<std::size_t>(smoke.Tetrahedra[t][0])]);
+  }
+  return search.Find();
+}
+
+void StreakVolume::BisectTetrahedra(std::size_t allowed)
+{
+  this->Coarser =
+    !BisectLongEdges(this->Smoke, { this->Settings.MaximumEdgeLength, allowed }) || this->Coarser;
+}
+
+// Every release may have as many tetrahedra as the others, and what the early
+// ones do not need is left to the later ones.
+std::size_t StreakVolume::Allowed(int layer) const
 {
   const std::size_t all = this->Settings.MaximumNumberOfTetrahedra;
-  if (this->Layer >= this->Settings.Releases)
+  if (layer >= this->Settings.Releases)
   {
     return all;
   }
-  const double share = static_cast<double>(this->Layer) / this->Settings.Releases;
+  const double share = static_cast<double>(layer) / this->Settings.Releases;
   return static_cast<std::size_t>(share * static_cast<double>(all));
+}
+
+// Leaves room for the next regular layer.
+std::size_t StreakVolume::AllowedBeforeRelease() const
+{
+  const std::size_t layer = 3 * this->Polygon.Triangles.size();
+  const std::size_t allowed = this->Allowed(this->Layer + 1);
+  return allowed > layer ? allowed - layer : 0;
 }
 
 void StreakVolume::TurnHints()
@@ -264,12 +381,15 @@ SmokeMesh StreakVolume::Mesh() const
 {
   StreakMesh smoke = this->Smoke;
   double lost = this->Lost;
-  if (!this->Full && !this->IsAt(this->ReleaseTime(this->Layer)))
+  if (!this->Full && this->Now > this->Released + this->Rounding())
   {
-    lost += this->JoinLayers(smoke, this->AddLayer(smoke));
+    lost += this->JoinLayer(smoke);
   }
+  smoke.Front = {}; // nothing will be joined to it any more
+  const bool divided = BisectLongEdges(
+    smoke, { this->Settings.MaximumEdgeLength, this->Settings.MaximumNumberOfTetrahedra });
   lost += DropFlatTetrahedra(smoke);
-  smoke.DropUnusedPoints(0, 0);
+  smoke.DropUnusedPoints();
   SmokeMesh mesh;
   AddCells(smoke, mesh);
   for (const int step : smoke.EmissionSteps)
@@ -288,6 +408,7 @@ SmokeMesh StreakVolume::Mesh() const
   mesh.Report.ExpiredMass = this->Expired;
   mesh.Report.FollowedTime = this->Now - this->Settings.StartTime;
   mesh.Report.LimitReached = this->Full;
+  mesh.Report.Coarser = this->Coarser || !divided;
   return mesh;
 }
 }

@@ -3,10 +3,12 @@
 // The volume of the smoke that has been released from a polygon since a time, in a flow that
 // changes. Plain C++17 but for the threads of AdvanceParticles.
 //
-// Layer k is the polygon released at time StartTime + k TimeStep and moved to the present by the
-// flow (formulas of MaxCrawfisBecker1993 Sec. 6 hold layer by layer). When a layer is released, it
-// is joined to the one before by prisms, each of three tetrahedra, whose mass is what has flown
-// through its triangle in the meantime; then tetrahedra with long edges are bisected.
+// Layer k is the polygon released at time StartTime + k TimeStep and moved to
+// the present by the flow (formulas of MaxCrawfisBecker1993 Sec. 6 hold layer
+// by layer). When a layer is released, it is joined to the one before by
+// prisms, each of three tetrahedra, whose mass is what has flown through its
+// triangle in the meantime; then tetrahedra with long edges are bisected. Where
+// the smoke turns at the polygon, there are more layers in between.
 //
 // The points are moved in steps that end at the release times and where AdvanceTo is told to stop.
 // Volumes with the same stops are identical to the last bit.
@@ -14,7 +16,7 @@
 #define nephoscope_StreakVolume_h
 
 #include "PolygonFlow.h"
-#include "StreakMesh.h"
+#include "TurningPaths.h"
 
 #include <cmath>
 
@@ -26,6 +28,13 @@ struct StreakSettings
   double TimeStep = 1.0;          // s between releases
   double Duration = 0.0;          // s after which smoke is dropped; 0: never
   double MaximumEdgeLength = 0.0; // 0: any
+  // Radians that a path turns in a step, and the smoke at the polygon between
+  // two layers. 0: any.
+  double MaximumTurnAngle = 0.0;
+  int MaximumHalvings = 4; // of a step or between two layers
+  // Obstacles of this length or longer are found between the corners of tetrahedra; 0: at corners.
+  double ObstacleSize = 0.0;
+  double ObstacleEdge = 0.0; // longest edge of a tetrahedron that ends at one; 0: any
   bool Adaptive = false;
   double Tolerance = 1e-6; // of the adaptive method, a length
   std::size_t MaximumNumberOfTetrahedra = 1000000;
@@ -59,35 +68,40 @@ public:
   double TimeStep() const { return this->Settings.TimeStep; }
   double MaximumEdgeLength() const { return this->Settings.MaximumEdgeLength; }
 
-  // Whether longer edges have been left whole, for want of tetrahedra.
-  bool IsCoarser() const { return this->Coarser; }
-
 private:
   double EmittedMass() const;
   double ReleaseTime(int layer) const;
   double Rounding() const { return 1e-9 * this->Settings.TimeStep; }
   void Step(const VelocityField& field, double time);
+  void Move(const VelocityField& field, double time);
+  double TimeOfNextLayer(const VelocityField& field, double end);
+  IntegrationSettings Integration() const;
   void Emit(const VelocityField& field, double time);
+  void TakeVelocities(const PolygonVelocities& velocities);
+  void ReleaseRegularLayer(const VelocityField& field);
   void ReleaseLayer();
-  PointId AddLayer(StreakMesh& smoke) const;
-  double JoinLayers(StreakMesh& smoke, PointId newer) const;
-  void EndSmoke();
-  void BisectTetrahedra();
-  std::size_t Allowed() const;
+  StreakFront AddLayer(StreakMesh& smoke) const;
+  double JoinLayer(StreakMesh& smoke) const;
+  void EndSmoke(const VelocityField& field);
+  void EndAtObstacles(const VelocityField& field);
+  std::vector<unsigned char> FindBlocked(const VelocityField& field) const;
+  void BisectTetrahedra(std::size_t allowed);
+  std::size_t Allowed(int layer) const;
+  std::size_t AllowedBeforeRelease() const;
 
   PolygonMesh Polygon;
   std::vector<unsigned char> PolygonInside; // in all samples since the last release
   StreakSettings Settings;
   double Now;
   StreakMesh Smoke;
-  int Layer = 0;                // number of the last layer that has been released
-  PointId FirstOfLayer = 0;     // its first point
+  int Layer = 0;                // number of the last regular layer that has been released
+  double Released;              // s, when the last layer was
   std::vector<double> Emitting; // mass through the triangles since
   double Emitted = 0.0;         // mass of all prisms before
   double Lost = 0.0;
   double Expired = 0.0;
   bool Full = false;
-  bool Coarser = false;
+  bool Coarser = false; // longer edges, or smoke that turns more, for want of tetrahedra
 };
 }
 

@@ -19,8 +19,8 @@ SCRIPT = os.path.join(HERE, "FlowVolumeRanksRun.py")
 RANKS = (1, 2, 3)
 LARGEST = 1e-9
 CASES = ("image", "image-border", "image-in-border", "image-cells", "curved", "curved-leaving", "chessboard", "ghosts",
-         "one-rank-has-all", "blocks", "blocks-missing", "divided", "adaptive", "automatic", "polygon",
-         "unsteady", "unsteady-later", "unsteady-curved", "unsteady-adaptive", "unsteady-ghosts", "unsteady-blocks", "globe", "globe-seam", "globe-pole")
+         "one-rank-has-all", "blocks", "blocks-missing", "small-obstacles", "divided", "adaptive", "automatic", "polygon",
+         "unsteady", "unsteady-later", "unsteady-curved", "unsteady-adaptive", "unsteady-ghosts", "unsteady-blocks", "unsteady-turning", "unsteady-obstacles", "globe", "globe-seam", "globe-pole")
 ERRORS = {"outside": "is outside the data, which are within x -1 to 1, y -1 to 1, z -1 to 1",
           "no-velocity": "'Flow'"}
 EMPTY = tuple(ERRORS) + ("stopped",)

@@ -23,7 +23,7 @@ from ._typing import Numbers
 _NAMES = {"move the polygon there, by Center if it is regular": "pass that as center, or move the polygon there", "switch NormalToFlow off": "give normal", "switch NormalToFlow on": "leave normal out", "Center": "center", "Radius": "radius",
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
-          "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Play the animation, choose a later time": "Choose a later time", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle",
+          "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Play the animation, choose a later time": "Choose a later time", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle", "MaximumAreaRatio": "max_area_ratio", "MaximumDivergence": "max_divergence", "ObstacleSize": "obstacle_size",
           "Choose a velocity:": "Choose a velocity by vectors:", "(ObstacleMass)": "(smoke.field_data['ObstacleMass'])", "Period": "period"}
 
 
@@ -32,6 +32,8 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
                 normal: Numbers | Literal["flow"] | None = None, n_sides: int = 12, duration: float | None = None,
                 time_step: float | None = None, initial_density: float = 1.0, polygon_edge_length: float | None = None,
                 max_edge_length: float | None = None, min_edge_length: float = 0.0, max_turn_angle: float = 15.0,
+                max_area_ratio: float = 2.0, max_divergence: float = 0.5, max_halvings: int = 4, edge_levels: int = 6,
+                obstacle_levels: int = 2, obstacle_size: float | None = None,
                 integrator: Literal["rk4", "rk45"] = "rk4", tolerance: float = 1e-6,
                 max_tetrahedra: int = 100_000, times: Numbers | None = None, time: float | None = None,
                 start_time: float | None = None, time_scale: float = 1.0) -> pyvista.UnstructuredGrid:
@@ -77,7 +79,21 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     min_edge_length : float, default: 0.0
         Shorter edges of a layer are collapsed. 0: never. Not used with `times`.
     max_turn_angle : float, default: 15.0
-        A time step is halved if a path turns by more than this angle, in degrees. 0: never. Not used with `times`.
+        A time step is halved if a path turns by more than this angle, in degrees. 0: never. With `times`, only points whose path turns more
+        take shorter steps (with ``"rk4"``), and more layers are released where the smoke turns at the polygon.
+    max_area_ratio : float, default: 2.0
+        A time step is halved if the area of a triangle of the layer changes by more than this factor, >= 1. 0: never. Not used with `times`.
+    max_divergence : float, default: 0.5
+        A time step is halved if the divergence times the step is more than this. 0: never. Not used with `times`.
+    max_halvings : int, default: 4
+        How often a time step is halved at most, 0 to 16: 4 gives up to 16 parts.
+    edge_levels : int, default: 6
+        Edges of a layer are halved down to `max_edge_length` over 2 to this power, 0 to 16. Not used with `times`.
+    obstacle_levels : int, default: 2
+        Before smoke ends at an obstacle, it is divided down to `max_edge_length` over 2 to this power, 0 to 16. 0: never.
+    obstacle_size : float, optional
+        Size of the smallest obstacles that are found where no corner of the smoke meets them, > 0. Default: that of the smallest blanked cell;
+        without blanked cells, obstacles are found at corners only.
     integrator : {"rk4", "rk45"}, default: "rk4"
         Runge-Kutta of fourth order with fixed steps, or Runge-Kutta 4-5 with adaptive steps.
     tolerance : float, default: 1e-6
@@ -87,7 +103,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         than requested.
     times : sequence of float, optional
         The times of the meshes, two or more, increasing. The flow is unsteady and interpolated linearly in time. Smoke older than `duration` is
-        dropped; by default none is. `min_edge_length` and `max_turn_angle` are not used. Default: one mesh, a steady flow.
+        dropped; by default none is. `min_edge_length` is not used. Default: one mesh, a steady flow.
     time : float, optional
         With `times`: time of the result, in the unit of `times`. Default: the last time.
     start_time : float, optional
@@ -141,6 +157,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
 
 def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius: Any, normal: Any, n_sides: Any, duration: Any, time_step: Any,
             initial_density: Any, polygon_edge_length: Any, max_edge_length: Any, min_edge_length: Any, max_turn_angle: Any,
+            max_area_ratio: Any, max_divergence: Any, max_halvings: Any, edge_levels: Any, obstacle_levels: Any, obstacle_size: Any,
             integrator: Any, tolerance: Any, max_tetrahedra: Any, times: Any, time: Any, start_time: Any,
             time_scale: Any) -> tuple[vtkFlowVolume, Series | None]:
     """The filter described by the arguments of flow_volume, and the meshes of an unsteady flow."""
@@ -173,10 +190,16 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
         smoke.SetNormal(_vector(normal, "normal"))
     for setter, value, argument in ((smoke.SetDuration, duration, "duration"), (smoke.SetTimeStep, time_step, "time_step"),
                                     (smoke.SetPolygonEdgeLength, polygon_edge_length, "polygon_edge_length"),
-                                    (smoke.SetMaximumEdgeLength, max_edge_length, "max_edge_length")):
+                                    (smoke.SetMaximumEdgeLength, max_edge_length, "max_edge_length"),
+                                    (smoke.SetObstacleSize, obstacle_size, "obstacle_size")):
         setter(0.0 if value is None else require_number(value, argument, above=0))
     smoke.SetMinimumEdgeLength(require_number(min_edge_length, "min_edge_length", least=0))
     smoke.SetMaximumTurnAngle(require_number(max_turn_angle, "max_turn_angle", least=0))
+    smoke.SetMaximumAreaRatio(require_number(max_area_ratio, "max_area_ratio", least=0))
+    smoke.SetMaximumDivergence(require_number(max_divergence, "max_divergence", least=0))
+    for setter, value, argument in ((smoke.SetMaximumHalvings, max_halvings, "max_halvings"), (smoke.SetEdgeLevels, edge_levels, "edge_levels"),
+                                    (smoke.SetObstacleLevels, obstacle_levels, "obstacle_levels")):
+        setter(int(require_number(value, argument, least=0, most=16)))
     smoke.SetInitialDensity(require_number(initial_density, "initial_density"))
     choose({"rk4": smoke.SetIntegratorToRungeKutta4, "rk45": smoke.SetIntegratorToRungeKutta45}, integrator, "integrator")
     smoke.SetTolerance(require_number(tolerance, "tolerance", above=0))

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: The Nephoscope authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How small the blanked cells of datasets are.
+#ifndef nephoscope_BlankedCells_h
+#define nephoscope_BlankedCells_h
+
+#include <vector>
+
+class vtkDataSet;
+
+namespace nephoscope
+{
+// Of the smallest cell that is blanked, itself or by a point: the cube root of the volume of its
+// bounds. 0 if there is none.
+double SmallestBlankedCell(const std::vector<vtkDataSet*>& sets);
+}
+
+#endif
