@@ -209,7 +209,8 @@ public:
   ///@{
   /**
    * Shorter edges of a layer, where streamlines converge, are collapsed; 0 (default): never. Keep
-   * it below a third of MaximumEdgeLength. Not used for unsteady smoke.
+   * it below a third of MaximumEdgeLength. Unsteady: edges of tetrahedra, at each
+   * release; the smoke of each time step keeps its mass.
    */
   vtkSetMacro(MinimumEdgeLength, double);
   vtkGetMacro(MinimumEdgeLength, double);
@@ -306,9 +307,9 @@ public:
    *
    * Every TimeStep seconds a layer is released, and all layers move with the flow. Edges of
    * tetrahedra that become longer than MaximumEdgeLength (and than those of the polygon's
-   * triangles) are halved at any age, with all adjacent tetrahedra; MinimumEdgeLength is not used.
-   * A tetrahedron ends when one of its corners leaves the data. Until then it keeps its mass:
-   * Density is mass over volume.
+   * triangles) are halved at any age, with all adjacent tetrahedra; those shorter than
+   * MinimumEdgeLength are collapsed. A tetrahedron ends when one of its corners leaves the data.
+   * Until then it keeps its mass: Density is mass over volume.
    */
   vtkSetMacro(Unsteady, bool);
   vtkGetMacro(Unsteady, bool);

@@ -317,6 +317,7 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
   settings.MaximumEdgeLength = this->MaximumEdgeLength > 0.0
     ? std::max(this->MaximumEdgeLength, flow.LongestEdge)
     : 3.0 * std::max(flow.LongestEdge, flow.MeanSpeed * settings.TimeStep);
+  settings.MinimumEdgeLength = this->MinimumEdgeLength;
   settings.ObstacleEdge =
     this->ObstacleLevels > 0 ? std::ldexp(settings.MaximumEdgeLength, -this->ObstacleLevels) : 0.0;
   settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;

@@ -10,8 +10,8 @@ class vtkDataSet;
 
 namespace nephoscope
 {
-// Of the smallest cell that is blanked, itself or by a point: the cube root of the volume of its
-// bounds. 0 if there is none.
+// The size of the smallest cell that is blanked, itself or by a point: the cube root of the volume
+// of its bounds. 0 if there is none.
 double SmallestBlankedCell(const std::vector<vtkDataSet*>& sets);
 }
 

@@ -204,6 +204,20 @@ class Bisection(unittest.TestCase):
             self.assertAlmostEqual(smoke.mass() / smoke.made.GetEmittedMass(), 1, places=12)
 
 
+class Merging(unittest.TestCase):
+    def test_short_edges(self):
+        """Smoke that converges: fewer tetrahedra in one piece, of the same mass in each emission step, and almost the same volume."""
+        converging = lambda p, t: np.column_stack([-1.5 * p[:, 0], -1.5 * p[:, 1] + 0.1 * t, np.ones(len(p))])
+        all_edges, merged = (follow(series(converging), MinimumEdgeLength=length, MaximumEdgeLength=1, TimeStep=0.05, PolygonEdgeLength=0.05)
+                             for length in (0, 0.04))
+        self.assertLess(len(merged.cells), 0.6 * len(all_edges.cells))
+        self.assertTrue(merged.is_one_piece())
+        self.assertGreater(merged.volumes().min(), 0)
+        self.assertAlmostEqual(merged.volumes().sum() / all_edges.volumes().sum(), 1, delta=2e-3)
+        masses = [np.bincount(smoke.cell_array("EmissionStep"), smoke.density * smoke.volumes()) for smoke in (all_edges, merged)]
+        np.testing.assert_allclose(masses[1], masses[0], rtol=1e-12)
+
+
 class Turning(unittest.TestCase):
     """Once around the z axis in a second, in steps of 45 degrees."""
     SETTINGS = dict(Center=(0.5, 0, 0), Radius=0.1, TimeStep=1 / 8)
@@ -213,7 +227,7 @@ class Turning(unittest.TestCase):
         return follow(series(turning, 3), MaximumTurnAngle=angle, MaximumEdgeLength=5, **{**self.SETTINGS, **settings})
 
     def error(self, smoke):
-        """Of the position of the smoke of the start, which has come round."""
+        """Distance of the smoke of the start, which has come round, from where it was."""
         oldest = smoke.points[smoke.age > 1 - 1e-9].mean(axis=0)
         return np.linalg.norm(oldest - (0.5, 0, 0.3))
 

@@ -135,6 +135,35 @@ TEST(StreakVolume, LayersInBetweenGiveTheVolume)
   EXPECT_LT(error(5.0), 0.045);
 }
 
+TEST(StreakVolume, ShortEdgesAreMerged)
+{
+  // Converges while it goes back and forth a little; the surface is flat but for its edges.
+  const ChangingField field([](const Vector3& p, double t) {
+    return Vector3{ { -1.2 * p[0] + 0.2 * std::cos(4.0 * t), -1.2 * p[1], 1.0 } };
+  });
+  StreakSettings settings = Every(0.1);
+  const auto all = Streak(field, Square(0.4, 8), settings, { 1.0, 2.0 });
+  settings.MinimumEdgeLength = 0.05;
+  const auto few = Streak(field, Square(0.4, 8), settings, { 1.0, 2.0 });
+  ExpectWhole(all);
+  ExpectWhole(few);
+  const auto masses = [](const SmokeMesh& mesh) {
+    std::vector<double> sums(20, 0.0);
+    for (std::size_t t = 0; t < mesh.Tetrahedra.size(); ++t)
+    {
+      sums.at(static_cast<std::size_t>(mesh.EmissionSteps[t])) +=
+        mesh.Densities[t] * Volume(mesh, t);
+    }
+    return sums;
+  };
+  for (std::size_t k = 0; k < 20; ++k)
+  {
+    EXPECT_NEAR(masses(few)[k], masses(all)[k], 1e-12);
+  }
+  EXPECT_LT(few.Tetrahedra.size(), 0.6 * static_cast<double>(all.Tetrahedra.size()));
+  EXPECT_NEAR(TotalVolume(few), TotalVolume(all), 1e-12 * TotalVolume(all));
+}
+
 TEST(StreakVolume, PathsThatTurnAreMovedInShorterSteps)
 {
   StreakSettings settings = Every(0.125); // 45 degrees

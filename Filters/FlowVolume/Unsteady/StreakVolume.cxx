@@ -3,6 +3,7 @@
 #include "StreakVolume.h"
 
 #include "EdgeBisection.h"
+#include "EdgeMerging.h"
 #include "LayerTimes.h"
 #include "ObstacleSearch.h"
 #include "SmokeGeometry.h"
@@ -219,6 +220,7 @@ void StreakVolume::ReleaseRegularLayer(const VelocityField& field)
   this->ReleaseLayer();
   ++this->Layer;
   this->EndSmoke(field);
+  this->MergeTetrahedra();
   this->BisectTetrahedra(this->Allowed(this->Layer));
 }
 
@@ -334,6 +336,17 @@ std::vector<unsigned char> StreakVolume::FindBlocked(const VelocityField& field)
       t, corners, smoke.Hints[static_cast<std::size_t>(smoke.Tetrahedra[t][0])]);
   }
   return search.Find();
+}
+
+void StreakVolume::MergeTetrahedra()
+{
+  const double longest = this->Settings.MaximumEdgeLength;
+  const double shortest = longest > 0.0 ? std::min(this->Settings.MinimumEdgeLength, longest / 3.0)
+                                        : this->Settings.MinimumEdgeLength;
+  if (MergeShortEdges(this->Smoke, { shortest, longest }) > 0)
+  {
+    this->Smoke.DropUnusedPoints();
+  }
 }
 
 void StreakVolume::BisectTetrahedra(std::size_t allowed)

@@ -28,6 +28,8 @@ struct StreakSettings
   double TimeStep = 1.0;          // s between releases
   double Duration = 0.0;          // s after which smoke is dropped; 0: never
   double MaximumEdgeLength = 0.0; // 0: any
+  // Shorter edges are merged; 0: never. More than a third of MaximumEdgeLength counts as a third.
+  double MinimumEdgeLength = 0.0;
   // Radians that a path turns in a step, and the smoke at the polygon between
   // two layers. 0: any.
   double MaximumTurnAngle = 0.0;
@@ -85,6 +87,7 @@ private:
   void EndSmoke(const VelocityField& field);
   void EndAtObstacles(const VelocityField& field);
   std::vector<unsigned char> FindBlocked(const VelocityField& field) const;
+  void MergeTetrahedra();
   void BisectTetrahedra(std::size_t allowed);
   std::size_t Allowed(int layer) const;
   std::size_t AllowedBeforeRelease() const;

@@ -77,7 +77,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         Longer edges of a layer are split, > 0. Default: three times the longest edge of the polygon's triangles, or the distance that the flow
         covers in a time step if that is longer; longer still if `max_tetrahedra` requires it.
     min_edge_length : float, default: 0.0
-        Shorter edges of a layer are collapsed. 0: never. Not used with `times`.
+        Shorter edges of a layer are collapsed; with `times`, those of tetrahedra, at each release. 0: never.
     max_turn_angle : float, default: 15.0
         A time step is halved if a path turns by more than this angle, in degrees. 0: never. With `times`, only points whose path turns more
         take shorter steps (with ``"rk4"``), and more layers are released where the smoke turns at the polygon.
@@ -103,7 +103,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         than requested.
     times : sequence of float, optional
         The times of the meshes, two or more, increasing. The flow is unsteady and interpolated linearly in time. Smoke older than `duration` is
-        dropped; by default none is. `min_edge_length` is not used. Default: one mesh, a steady flow.
+        dropped; by default none is. Default: one mesh, a steady flow.
     time : float, optional
         With `times`: time of the result, in the unit of `times`. Default: the last time.
     start_time : float, optional
