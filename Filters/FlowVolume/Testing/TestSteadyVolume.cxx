@@ -133,6 +133,32 @@ TEST(SteadyVolume, StepsAreHalvedWhereTheFlowDiverges)
   EXPECT_LE(mesh.Report.Layers, 8u);
 }
 
+TEST(SteadyVolume, TheLimitsOfStepsAndEdgesCanBeSet)
+{
+  FlowVolumeSettings settings = Steps(1.0, 2); // div v h = 1, areas grow by e
+  settings.MaximumHalvings = 4;
+  const auto layers = [&settings](double ratio, double divergence) {
+    settings.MaximumAreaRatio = ratio;
+    settings.MaximumDivergence = divergence;
+    return Build(Spreading(), SmallTriangle(1), settings).Report.Layers;
+  };
+  EXPECT_EQ(layers(0.0, 0.0), 2u);
+  EXPECT_EQ(layers(2.8, 0.0), 2u);
+  EXPECT_EQ(layers(2.0, 0.0), 4u);
+  EXPECT_GE(layers(1.2, 0.0), 8u);
+  EXPECT_GE(layers(0.0, 0.1), 16u);
+  settings.MaximumHalvings = 1;
+  EXPECT_EQ(layers(0.0, 0.01), 4u);
+  settings = Steps(2.0, 2);
+  settings.MaximumEdgeLength = 0.3; // no edge is longer before a step, but after it
+  EXPECT_GT(Build(Spreading(), SmallTriangle(1), settings).Report.HalvedEdges, 0u);
+  settings.EdgeLevels = 0;
+  const auto whole = Build(Spreading(), SmallTriangle(1), Steps(1.0, 1));
+  settings.Duration = settings.TimeStep = 1.0;
+  EXPECT_EQ(
+    Build(Spreading(), SmallTriangle(1), settings).Tetrahedra.size(), whole.Tetrahedra.size());
+}
+
 TEST(SteadyVolume, TheOrderOfPointsAndTrianglesMakesNoDifference)
 {
   Random random(7);

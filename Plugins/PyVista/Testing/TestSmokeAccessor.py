@@ -268,6 +268,35 @@ class FlowVolume(unittest.TestCase):
             mesh.nephoscope.flow_volume(normal="wind")
 
 
+class Limits(unittest.TestCase):
+    """The limits of steps, edges and obstacles."""
+
+    def test_reach_the_filter(self):
+        mesh = uniform()
+        x, y, z = mesh.points.T
+        mesh["wind"] = np.column_stack([-y, x, 0.3 + 0.03 * z])  # turns by 22 degrees in a step
+        cells = lambda **options: mesh.nephoscope.flow_volume(center=(5, 0, -5), radius=1, duration=3, time_step=0.375, **options).n_cells
+        usual = cells()
+        self.assertLess(cells(max_halvings=0), usual)
+        self.assertGreater(cells(max_divergence=1e-3), usual)
+        self.assertGreater(cells(max_area_ratio=1.0001), usual)
+        blanked = uniform((2, 0, 0), 33)
+        blanked.cell_data["vtkGhostType"] = np.where(np.arange(blanked.n_cells) == blanked.find_containing_cell((0.3, 0.3, 0.3)), 32, 0).astype(np.uint8)
+        lost = lambda **options: float(blanked.nephoscope.flow_volume(center=(-5, 0, 0), radius=3, polygon_edge_length=6, duration=5, time_step=0.5,
+                                                                     **options).field_data["LostMass"][0])
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            self.assertEqual(lost(obstacle_size=100), 0)
+            self.assertGreater(lost(), 0)
+            self.assertGreater(lost(obstacle_levels=0), lost())
+
+    def test_out_of_range(self):
+        for options in ({"max_halvings": -1}, {"max_halvings": 17}, {"edge_levels": 20}, {"obstacle_levels": -2}, {"obstacle_size": 0},
+                        {"max_area_ratio": -1}, {"max_divergence": np.nan}):
+            with self.assertRaisesRegex(ValueError, next(iter(options))):
+                uniform().nephoscope.flow_volume(center=(0, 0, 0), **options)
+
+
 class Puffs(unittest.TestCase):
     def setUp(self):
         self.smoke = uniform().nephoscope.flow_volume(center=(-5, 0, 0), radius=1, duration=4, time_step=0.125)
