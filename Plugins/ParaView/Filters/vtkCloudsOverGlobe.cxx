@@ -71,19 +71,21 @@ void AddColour(
   }
 }
 
-vtkSmartPointer<vtkCellArray> QuadsOfEarth()
+// ParaView cuts cells at the borders between ranks. A cut triangle keeps its colours; a cut
+// quadrilateral is divided along another diagonal.
+vtkSmartPointer<vtkCellArray> TrianglesOfEarth()
 {
-  auto quads = vtkSmartPointer<vtkCellArray>::New();
+  auto triangles = vtkSmartPointer<vtkCellArray>::New();
   for (vtkIdType j = 0; j < rows; ++j)
   {
     for (vtkIdType i = 0; i < columns; ++i)
     {
-      const vtkIdType first = j * (columns + 1) + i;
-      const vtkIdType corners[4] = { first, first + 1, first + columns + 2, first + columns + 1 };
-      quads->InsertNextCell(4, corners);
+      const vtkIdType first = j * (columns + 1) + i, above = first + columns + 1;
+      triangles->InsertNextCell({ first, first + 1, above + 1 });
+      triangles->InsertNextCell({ first, above + 1, above });
     }
   }
-  return quads;
+  return triangles;
 }
 }
 
@@ -243,7 +245,7 @@ bool vtkCloudsOverGlobe::MakeEarth(vtkStructuredGrid* lit, vtkPolyData* earth)
     }
   }
   earth->SetPoints(points);
-  earth->SetPolys(QuadsOfEarth());
+  earth->SetPolys(TrianglesOfEarth());
   // No active scalars, which ParaView would colour by, with a scalar bar.
   earth->GetPointData()->AddArray(colours);
   return true;
