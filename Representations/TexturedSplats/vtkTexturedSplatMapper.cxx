@@ -370,6 +370,8 @@ std::string vtkTexturedSplatMapper::DrawScene(
   this->SetVectorOptions(options);
   options.ImageSampleDistance = sampleDistance;
   options.SegmentWidth /= sampleDistance;
+  // A point has one colour. Light towards the sun changes within a few degrees.
+  options.LeastPointDistance = scene.FollowsCamera() ? 20.0 : 0.0;
   const int* size = renderer->GetSize();
   const int pixels[2] = { static_cast<int>(std::ceil(size[0] / sampleDistance)),
     static_cast<int>(std::ceil(size[1] / sampleDistance)) };

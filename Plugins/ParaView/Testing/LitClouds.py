@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Cloud Optics and Sunlight with nothing set, on good and bad data: a picture that shows something, or one sentence that says why not and what to do."""
-from PluginTesting import GFS, check, clear, empty_view, image, listen, load_plugin, new_view, passed, pvs, set_background
+from PluginTesting import GFS, check, check_same, clear, empty_view, image, listen, load_plugin, new_view, passed, pvs, set_background
 
 SIZE = (150, 150)
 BACKGROUND = (0.32, 0.34, 0.43)
@@ -64,8 +64,29 @@ def check_ground():
     pvs.Delete(view)
 
 
+def check_splats_follow_camera():
+    """Textured Splats draw the light towards the camera of each picture as Sunlight computes it for that eye."""
+    view = new_view(SIZE)
+    options = {"SunDirection": [1, 0, 0.2], "OpenSides": 1}
+    extinction = pvs.Calculator(Input=pvs.Wavelet(), Function="max(0, RTData - 130) * 0.005", ResultArrayName="Extinction")
+    follows = pvs.Sunlight(Input=extinction, FollowCamera=1, **options)
+    for eye in ([-120, 0, -24], [120, 0, 24], [20, -120, 40]):  # afar, where a splat has one colour
+        view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = eye, [0, 0, 0], [0, 0, 1]
+        view.CameraViewAngle = 15
+        pictures = []
+        for light in (follows, pvs.Sunlight(Input=extinction, UseViewPosition=1, ViewPosition=eye, **options), pvs.Sunlight(Input=extinction, **options)):
+            display = pvs.Show(light, view)
+            display.SetRepresentationType("Textured Splats")
+            pictures.append(image(view))
+            pvs.Hide(light, view)
+        check_same(pictures[0], pictures[1], f"splats seen from {eye}", largest=1, mean=0.02)
+        check(abs(pictures[1] - pictures[2]).max() > 20, f"the light from {eye} is the mean light")
+    pvs.Delete(view)
+
+
 def main():
     check_ground()
+    check_splats_follow_camera()
     weather = pvs.ExtractSubset(Input=pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0), VOI=[0, 10**6] * 3, SampleRateI=6, SampleRateJ=6, SampleRateK=2)
     globe, flat = pvs.GlobeGrid(Input=weather, VerticalExaggeration=30), pvs.GlobeGrid(Input=weather, Projection="Map", VerticalExaggeration=30)
     check_first_colours(flat)
@@ -88,5 +109,6 @@ def main():
 
 
 load_plugin()
+pvs._DisableFirstRenderCameraReset()
 main()
 passed()

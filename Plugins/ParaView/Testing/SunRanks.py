@@ -7,11 +7,13 @@ from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "SunRun.py"
 SCENES = ("noon", "evening")
-LIT = ("shadows", "clouds")  # by Sunlight
+LIT = ("shadows", "clouds")
+SPLATS = ("splats",)  # by Sunlight
 HAZED = ("shafts", "shadowless haze")
 
-one, two = (run_ranks(SCRIPT, SCENES + LIT + HAZED, ranks) for ranks in (1, 2))
+one, two = (run_ranks(SCRIPT, SCENES + LIT + SPLATS + HAZED, ranks) for ranks in (1, 2))
 compare(one, two, "1 and 2 ranks", SCENES + LIT, largest=2, mean=0.1)
+compare(one, two, "1 and 2 ranks", SPLATS, largest=2, mean=0.25)  # of which many pixels have parts on both ranks
 compare(one, two, "1 and 2 ranks", HAZED, largest=2, mean=0.15)  # with shadows and without alike
 if (one["shadowless haze"] - one["shafts"]).max() < 15:
     sys.exit("clouds cast no shadows in the haze")

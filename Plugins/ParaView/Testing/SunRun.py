@@ -21,6 +21,16 @@ def draw_shadows():
     pvs.Delete(view)
 
 
+def draw_splats():
+    """Light that follows the camera, on splats, which each rank moves to those that draw them."""
+    view = new_view((120, 90))
+    lumps = pvs.Calculator(Input=pvs.Wavelet(), ResultArrayName="Extinction", Function="max(0, RTData - 130) * 0.005")
+    pvs.Show(pvs.Sunlight(Input=lumps, SunDirection=[1, 0, 0.2], FollowCamera=1, OpenSides=1), view).SetRepresentationType("Textured Splats")
+    view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [-50, 10, -20], [0, 0, 0], [0, 0, 1]
+    np.save(f"{sys.argv[1]}-splats.npy", image(view))
+    pvs.Delete(view)
+
+
 def draw_shafts():
     """Haze below a cloud with gaps, whose parts are on several ranks: it has the shadows of the whole cloud."""
     view = new_view((120, 90))
@@ -54,6 +64,8 @@ load_plugin()
 pvs._DisableFirstRenderCameraReset()  # whichever picture is the first
 if wanted("shadows"):
     draw_shadows()
+if wanted("splats"):
+    draw_splats()
 if wanted("shafts"):
     draw_shafts()
 sun = pvs.Sun(DateTime="2011-10-11 18:00")

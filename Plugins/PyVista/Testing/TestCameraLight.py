@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Light that follows the camera (eye='camera'): single scattering against closed forms from any side, and the same picture as light computed for one eye."""
+"""Light that follows the camera (eye='camera'): single scattering against closed forms from any side, and the same picture as light computed for one eye, of cells and of splats."""
 import unittest
 
 import nephoscope
@@ -43,9 +43,10 @@ def single(depth, sun, along, start=None, albedo=0.9):
     return albedo / 4 * phase(along @ sun) * np.sum((source[1:] + source[:-1]) / 2) * (t[1] - t[0])
 
 
-def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None, angle=20, trilinear=False, clip=(1e-3, 1e4)):
-    """The light in every pixel, in floating point; `mesh` has light."""
-    window, renderer, volume, mapper = vtkRenderWindow(), vtkRenderer(), vtkVolume(), nephoscope.vtkCellCompositingMapper()
+def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None, angle=20, trilinear=False, clip=(1e-3, 1e4), splats=False, tolerance=0.0, haze=None):
+    """The light in every pixel, in floating point; `mesh` has light, for splats on points or on cells."""
+    window, renderer, volume = vtkRenderWindow(), vtkRenderer(), vtkVolume()
+    mapper = nephoscope.vtkTexturedSplatMapper() if splats else nephoscope.vtkCellCompositingMapper()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
     window.SetSize(*size)
@@ -53,7 +54,13 @@ def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None
     mapper.SetInputData(mesh)
     if trilinear:
         mapper.SetCellInterpolationToTrilinear()
-    mapper.SetScalarModeToUsePointFieldData()
+    on_cells = "Sunlight" in mesh.cell_data
+    if on_cells:
+        mapper.SetScalarModeToUseCellFieldData()
+    else:
+        mapper.SetScalarModeToUsePointFieldData()
+    if tolerance:
+        mapper.SetErrorTolerance(tolerance)
     mapper.SelectScalarArray("Sunlight")
     mapper.SetOpacityArrayName("ScaledExtinction")
     volume.SetMapper(mapper)
@@ -68,6 +75,8 @@ def light_seen(mesh, eye, middle, size=(21, 21), up=(0.1, 1, 0.2), parallel=None
     volume.GetProperty().SetScalarOpacity(opacity)
     volume.GetProperty().SetScalarOpacityUnitDistance(1 / densest)
     renderer.AddVolume(volume)
+    if haze:
+        nephoscope.vtkHaze.SetHaze(renderer, haze)
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*eye)
     camera.SetFocalPoint(*middle)
@@ -222,6 +231,99 @@ class MultipleScattering(unittest.TestCase):
                 self.cloud(eye=eye)
         with self.assertRaisesRegex(ValueError, "phase_function"):
             self.cloud(eye="camera", phase_function="mie")
+
+
+class Splats(unittest.TestCase):
+    """Splats have the light towards the camera of each frame. Light that was computed for its eye has it at the same samples."""
+
+    SUN = (1, 0, 0.2)
+    MIDDLE = np.array((0.5, 0.5, 0.5))
+
+    def cloud(self, n=21, **options):
+        mesh = pyvista.ImageData(dimensions=(n,) * 3, spacing=(1 / (n - 1),) * 3)
+        mesh["Extinction"] = 20 * np.clip(1.8 - 4 * np.linalg.norm(mesh.points - 0.5, axis=1), 0, 1)
+        return mesh.nephoscope.sunlight(self.SUN, **options)
+
+    def check(self, found, expected, share=1e-4):
+        self.assertGreater(expected.max(), 0.02)
+        self.assertLess(np.abs(found - expected).max(), share * expected.max())
+
+    def test_any_camera(self):
+        """Along the axes, towards the sun and away from it, between, from afar: points of one colour each; the mean light is another one."""
+        parts, mean = self.cloud(eye="camera"), self.cloud()
+        sun = unit(self.SUN)
+        for towards in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0, -1), sun, -sun, (0.3, -0.8, 0.5)):
+            for distance, angle in ((3, 20), (100, 0.7)):
+                with self.subTest(towards=towards, distance=distance):
+                    eye = self.MIDDLE + distance * unit(towards)
+                    found, expected, other = (light_seen(lit, eye, self.MIDDLE, angle=angle, splats=True) for lit in (parts, self.cloud(eye=tuple(eye)), mean))
+                    self.check(found, expected)
+                    self.assertGreater(np.abs(other - expected).max(), 0.05 * expected.max())
+            parallel = [light_seen(lit, self.MIDDLE + 3 * unit(towards), self.MIDDLE, parallel=0.6, splats=True) for lit in (parts, self.cloud(eye=unit(towards), parallel=True))]
+            self.check(*parallel)
+
+    def test_near(self):
+        """Near the eye and around it each pixel of a splat has the light of its own direction, as in cells."""
+        parts = self.cloud(eye="camera")
+        inside, away = self.MIDDLE + (0.01, 0.02, 0.03), 0.9 * unit((0.3, -0.8, 0.5))
+        for eye, along, share in ((inside, unit(self.SUN), 0.1), (inside, -unit(self.SUN), 0.01), (inside, (0, 1, 0), 0.01), (self.MIDDLE + away, -away, 0.02)):
+            with self.subTest(eye=eye, along=along):
+                splats, cells = (light_seen(parts, eye, eye + np.array(along), angle=60, splats=each) for each in (True, False))
+                self.check(splats, cells, share)
+
+    def test_hierarchy(self):
+        """Blocks of samples have the mean of their parts: as far from all samples as with light for one eye."""
+        parts = self.cloud(41, eye="camera")
+        for towards in ((0, 1, 0), -unit(self.SUN)):
+            eye = self.MIDDLE + 12 * unit(towards)
+            found, expected = (light_seen(lit, eye, self.MIDDLE, size=(61, 61), angle=5, splats=True, tolerance=0.03) for lit in (parts, self.cloud(41, eye=tuple(eye))))
+            self.check(found, expected, 0.01)
+
+    def test_globe_and_cells(self):
+        """Where up turns along a ray; and with the arrays on the cells of vertices, as ParaView draws splats."""
+        mesh, eye = MultipleScattering().level_clouds(True), (4e7, 2e7, 4e8)
+        pairs = [[mesh.nephoscope.sunlight((0.9, 0.2, 0.3), eye=given) for given in (eye, "camera")]]
+        self.assertGreater(np.abs(pairs[0][1]["DiffuseSecondMoment"]).max(), 0.02)
+        pairs.append([pyvista.PolyData(lit.points) for lit in pairs[0]])
+        for lit, vertices in zip(*pairs):
+            for arrays, own in ((lit.point_data, vertices.cell_data), (lit.field_data, vertices.field_data)):
+                for name in arrays:
+                    own[name] = arrays[name]
+        for one, parts in pairs:
+            expected, found = (light_seen(lit, eye, (0, 0, 0), size=(31, 31), angle=2, clip=(1e3, 1e9), splats=True) for lit in (one, parts))
+            self.check(found, expected, 1e-3)
+
+    def test_haze(self):
+        """Haze dims the light of splats around the eye and of others."""
+        parts = self.cloud(eye="camera")
+        haze = nephoscope.vtkHaze()
+        haze.SetProjectionToMap()
+        haze.SetVisibility(0.5)
+        haze.SetScaleHeight(1)
+        haze.SetColor(0.002, 0.003, 0.004)
+        for distance, angle, share in ((0, 60, 0.05), (0.9, 90, 0.01), (3, 20, 1e-4)):
+            along = unit((-0.3, 0.8, -0.5))
+            eye = self.MIDDLE - distance * along
+            found, expected, clear = (light_seen(lit, eye, eye + along, angle=angle, splats=True, haze=air)
+                                      for lit, air in ((parts, haze), (self.cloud(eye=tuple(eye)), haze), (parts, None)))
+            self.check(found, expected, share)
+            self.assertGreater(np.abs(found - clear).max(), 0.05 * expected.max())
+
+    def test_add_splats(self):
+        """The same from Python: sun={'eye': 'camera'}."""
+        mesh = pyvista.ImageData(dimensions=(21,) * 3, spacing=(0.05,) * 3)
+        mesh["Extinction"] = 20 * np.clip(1.8 - 4 * np.linalg.norm(mesh.points - 0.5, axis=1), 0, 1)
+        pictures = []
+        for eye in ("camera", (-2.0, 0.5, 0.0), None):
+            plotter = pyvista.Plotter(window_size=(80, 80))
+            plotter.set_background("black")
+            nephoscope.add_splats(plotter, mesh, sun={"direction": self.SUN, "eye": eye}, exposure=0.3, show_scalar_bar=False)
+            plotter.camera_position = [(-2, 0.5, 0), (0.5, 0.5, 0.5), (0, 0, 1)]
+            pictures.append(plotter.screenshot(return_img=True).astype(float))
+            plotter.close()
+        self.assertLessEqual(np.abs(pictures[0] - pictures[1]).max(), 1)
+        self.assertGreater(np.abs(pictures[0] - pictures[2]).max(), 50)
+
 
 if __name__ == "__main__":
     unittest.main()

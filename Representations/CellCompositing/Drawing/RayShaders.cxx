@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RayShaders.h"
 
+#include "CameraLight.h"
 #include "ShaderParts.h"
 
-#include "CameraLightShader.h"
 #include "ChessboardTopologyShader.h"
 #include "CubicContoursShader.h"
 #include "CubicPiecesShader.h"
@@ -47,7 +47,7 @@ std::string WithTetrahedra(const std::string& shader, TetrahedronTopology topolo
       { "TetrahedronWalk", TetrahedronWalkShader }, { "RaySegments", RaySegmentsShader },
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
       { "PixelRay", PixelRayShader }, { "RayContours", RayContoursShader },
-      { "CameraLight", CameraLightShader } });
+      { "CameraLight", CameraLight::ShaderText() } });
 }
 }
 
@@ -66,7 +66,7 @@ std::string HexahedraShader(bool structured)
       { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
       { "PixelRay", PixelRayShader }, { "RayEntry", RayEntryShader },
-      { "CameraLight", CameraLightShader } });
+      { "CameraLight", CameraLight::ShaderText() } });
 }
 
 std::string VoxelsShader()
@@ -75,7 +75,7 @@ std::string VoxelsShader()
     { { "VoxelWalk", VoxelWalkShader }, { "VoxelContours", VoxelContoursShader },
       { "CubicContours", CubicContoursShader }, { "CubicPieces", CubicPiecesShader },
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "RaySegments", RaySegmentsShader }, { "CameraLight", CameraLightShader } });
+      { "RaySegments", RaySegmentsShader }, { "CameraLight", CameraLight::ShaderText() } });
 }
 
 std::string ShaderOfMedium(TetrahedronTopology topology)

@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CameraLight.h"
 
+#include "CameraLightShader.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -24,16 +28,18 @@ vtkDataArray* ArrayOf(vtkFieldData* data, const char* name, int components, vtkI
 }
 }
 
-CameraLight::CameraLight(vtkDataSet* data, vtkDataArray* colors)
+CameraLight::CameraLight(vtkDataSet* data, vtkDataArray* colors, bool onCells)
 {
+  vtkFieldData* arrays =
+    onCells ? static_cast<vtkFieldData*>(data->GetCellData()) : data->GetPointData();
   if (!colors || !colors->GetName() || colors->GetName() != std::string("Sunlight") ||
-    data->GetPointData()->GetArray("Sunlight") != colors)
+    arrays->GetArray("Sunlight") != colors)
   {
     return;
   }
-  const vtkIdType points = data->GetNumberOfPoints();
-  vtkDataArray* single = ArrayOf(data->GetPointData(), "SingleScattering", 2, points);
-  vtkDataArray* flux = ArrayOf(data->GetPointData(), "DiffuseFlux", 3, points);
+  const vtkIdType places = colors->GetNumberOfTuples();
+  vtkDataArray* single = ArrayOf(arrays, "SingleScattering", 2, places);
+  vtkDataArray* flux = ArrayOf(arrays, "DiffuseFlux", 3, places);
   vtkDataArray* phase = ArrayOf(data->GetFieldData(), "PhaseFunction", 2, 2);
   vtkDataArray* sun = ArrayOf(data->GetFieldData(), "SunDirection", 3, 1);
   if (!single || !flux || !phase || !sun)
@@ -46,10 +52,11 @@ CameraLight::CameraLight(vtkDataSet* data, vtkDataArray* colors)
   {
     this->Sun[std::size_t(c)] = static_cast<float>(sun->GetComponent(0, c) / length);
   }
+  this->OnCells = onCells;
   this->Single = single;
   this->Flux = flux;
   this->Phase = phase;
-  this->Moment = ArrayOf(data->GetPointData(), "DiffuseSecondMoment", 1, points);
+  this->Moment = ArrayOf(arrays, "DiffuseSecondMoment", 1, places);
   this->Times = { { single->GetMTime(), flux->GetMTime(), phase->GetMTime(),
     this->Moment ? this->Moment->GetMTime() : 0 } };
   vtkDataArray* up = ArrayOf(data->GetFieldData(), "Up", 3, 1);
@@ -76,18 +83,32 @@ double CameraLight::Headroom() const
   return headroom < Brightest ? headroom : Brightest;
 }
 
+Vector3 CameraLight::UpAt(vtkIdType point) const
+{
+  if (!this->Places)
+  {
+    return this->Ground.Up;
+  }
+  Vector3 place;
+  if (this->OnCells)
+  {
+    double bounds[6];
+    this->Places->GetCellBounds(point, bounds);
+    vtkBoundingBox(bounds).GetCenter(place.data());
+  }
+  else
+  {
+    this->Places->GetPoint(point, place.data());
+  }
+  return this->Ground.UpAt(place);
+}
+
 std::array<float, 4> CameraLight::SecondPart(vtkIdType point, double scale) const
 {
   constexpr double smallest = 1e-30; // 0 has no sign
   const double single = std::max(scale * this->Single->GetComponent(point, 1), smallest),
                moment = this->Moment ? scale * this->Moment->GetComponent(point, 0) : 0;
-  Vector3 up = this->Ground.Up;
-  if (this->Places)
-  {
-    double place[3];
-    this->Places->GetPoint(point, place);
-    up = this->Ground.UpAt({ { place[0], place[1], place[2] } });
-  }
+  const Vector3 up = this->UpAt(point);
   const double root = std::sqrt(std::abs(moment));
   return { { static_cast<float>(moment < 0 ? -single : single), static_cast<float>(root * up[0]),
     static_cast<float>(root * up[1]), static_cast<float>(root * up[2]) } };
@@ -124,6 +145,11 @@ std::vector<std::array<float, 2>> CameraLight::Factors() const
     }
   }
   return factors;
+}
+
+const char* CameraLight::ShaderText()
+{
+  return CameraLightShader;
 }
 
 bool CameraLight::operator==(const CameraLight& other) const

@@ -33,8 +33,10 @@ class VTKNEPHOSCOPEREPRESENTATIONSCOMMON_EXPORT CameraLight
 {
 public:
   CameraLight() = default;
-  /** Used if the coloured array is Sunlight, and the data have the others. */
-  CameraLight(vtkDataSet* data, vtkDataArray* colors);
+  /**
+   * Used if the coloured array is Sunlight, and the data have the others, on points or `onCells`.
+   */
+  CameraLight(vtkDataSet* data, vtkDataArray* colors, bool onCells = false);
 
   bool IsUsed() const { return this->Phase != nullptr; }
   /**
@@ -45,8 +47,9 @@ public:
   /** By how much, at most, light towards the camera exceeds Sunlight; not more than Brightest. */
   double Headroom() const;
   /**
-   * For each point, as fractions of `width`: DiffuseFlux, SingleScattering[0]; SingleScattering[1],
-   * up times the root of the absolute DiffuseSecondMoment, whose sign is that of the fifth number.
+   * For each point or cell, as fractions of `width`: DiffuseFlux, SingleScattering[0];
+   * SingleScattering[1], up times the root of the absolute DiffuseSecondMoment, whose sign is that
+   * of the fifth number.
    */
   std::vector<std::array<float, 4>> Parts(double width) const;
   /** P - 1 and Q - 1, evenly spaced from 0 to 180 degrees. */
@@ -54,15 +57,20 @@ public:
   /** Towards the sun, unit length. */
   std::array<float, 3> TowardsSun() const { return this->Sun; }
 
+  /** shaders/CameraLight.glsl */
+  static const char* ShaderText();
+
   bool operator==(const CameraLight& other) const;
 
 private:
+  Vector3 UpAt(vtkIdType point) const;
   std::array<float, 4> SecondPart(vtkIdType point, double scale) const;
 
   vtkSmartPointer<vtkDataArray> Single, Flux, Phase, Moment; // the last is null in data without it
   std::array<vtkMTimeType, 4> Times = { { 0, 0, 0, 0 } };
   Planet Ground;
   vtkSmartPointer<vtkDataSet> Places; // where up depends on the place
+  bool OnCells = false;
   std::array<float, 3> Sun = { { 0, 0, 1 } };
 };
 

@@ -47,7 +47,7 @@ std::vector<float> Interpolated(vtkDataSet* data, const ScalarSelection& dense,
 
 SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
   const ScalarSelection& scalars, const ScalarSelection& opacity, vtkVolumeProperty* property,
-  bool keepTransparent, bool interpolate)
+  bool keepTransparent, bool interpolate, bool asScalars)
 {
   const ScalarSelection& dense = opacity.Array ? opacity : scalars;
   double range[2], denseRange[2];
@@ -70,7 +70,7 @@ SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
       const float d = Normalized(dense, samples.Ids[at], denseRange);
       if (std::isfinite(s) && std::isfinite(d))
       {
-        all[at] = color.Evaluate(s);
+        all[at] = asScalars ? TransferFunctionTable::Value{ { s, s, s, 0 } } : color.Evaluate(s);
         all[at][3] = rate *
           (ofCells.empty() ? extinction.Evaluate(d)[3]
                            : ofCells[static_cast<std::size_t>(samples.Ids[at])]);

@@ -25,7 +25,8 @@ struct SplatSamples;
 struct SplatClasses
 {
   std::vector<std::int32_t> Samples;        ///< numbers of the samples, ascending
-  std::vector<std::array<float, 4>> Colors; ///< one for each of them; none after FreeColors
+  std::vector<std::array<float, 4>> Colors; ///< one for each of them, or with `asScalars` the
+                                            ///< scalar three times; none after FreeColors
   std::size_t NumberWithoutValue = 0;       ///< of the samples left out: a value is not finite
 
   void FreeColors() { std::vector<std::array<float, 4>>().swap(this->Colors); }
@@ -36,11 +37,11 @@ struct SplatClasses
  * Values that are not finite are not seen, nor samples with at most a millionth of the greatest
  * extinction. `keepTransparent`: samples without extinction stay too, for their vectors.
  * `interpolate`: samples at points have together the extinction of the cells between them
- * (CellExtinction.h).
+ * (CellExtinction.h). `asScalars`: shaders find the colour.
  */
 SplatClasses ClassifySplats(vtkDataSet* data, const SplatSamples& samples,
   const ScalarSelection& scalars, const ScalarSelection& opacity, vtkVolumeProperty* property,
-  bool keepTransparent, bool interpolate);
+  bool keepTransparent, bool interpolate, bool asScalars = false);
 
 } // namespace nephoscope
 

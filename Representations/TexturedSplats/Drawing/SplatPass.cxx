@@ -22,6 +22,7 @@
 #include "SplatCell.h"
 #include "SplatFootprint.h"
 #include "SplatInRegion.h"
+#include "SplatLightShader.h"
 #include "SplatRegionShader.h"
 #include "TexturedSplatFragment.h"
 #include "TexturedSplatGeometry.h"
@@ -100,8 +101,9 @@ std::string ConstantsOfShader(const SplatDrawingOptions& options, const SplatPas
        << "const bool drawSegments = " << (options.Segments ? "true" : "false") << ";\n"
        << "const bool mediaApart = " << (options.MediaApart ? "true" : "false") << ";\n"
        << "#define MAX_VERTICES " << VerticesOfSplat(options, nearEye) << "\n"
-       << (variant.Fade ? "#define FADE\n" : "") << (variant.Region ? "#define DRAW_REGION\n" : "")
-       << "const float dotSize = " << dotSize << ";\n"
+       << (variant.Light ? "#define CAMERA_LIGHT\n" : "") << (variant.Fade ? "#define FADE\n" : "")
+       << (variant.Region ? "#define DRAW_REGION\n" : "") << "const float dotSize = " << dotSize
+       << ";\n"
        << "const float largeEnough = " << largeEnough << ";\n"
        << "const float pixelVariance = " << pixelVarianceOfKernels << ";\n";
   text
@@ -116,8 +118,10 @@ std::string Specialized(const char* shader, const std::string& constants)
 {
   return WithShaderParts(shader,
     { { "VectorSplat", VectorSplatGeometry }, { "VectorTexture", VectorTextureShader },
-      { "Constants", constants }, { "Arrays", ArrayDeclarations(CurrentArrayLayout()) },
-      { "Cell", SplatCell }, { "Footprint", SplatFootprint }, { "Region", SplatRegionShader },
+      { "Constants", constants }, { "Light", SplatLightShader },
+      { "CameraLight", CameraLight::ShaderText() },
+      { "Arrays", ArrayDeclarations(CurrentArrayLayout()) }, { "Cell", SplatCell },
+      { "Footprint", SplatFootprint }, { "Region", SplatRegionShader },
       { "InRegion", SplatInRegion } });
 }
 
@@ -254,6 +258,7 @@ std::string SplatPass::DrawAll(vtkOpenGLRenderWindow* window, const SceneView& v
     this->Layer.HideBehindOpaque(window);
   }
   variant.Fade = this->Fade;
+  variant.Light = this->Light.IsUsed();
   variant.Region = IsRegion(options.Region);
   const std::size_t ends[] = { options.CloserSplats, options.LargeSplats, options.NearSplats, 0 };
   const Way ways[] = { Way::FarPoints, Way::Points, Way::Quads, Way::Viewport };
@@ -330,6 +335,7 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
   this->Weights.Activate(program, "splatWeight");
   program->SetUniformi("splatVectors", this->Vectors.Activate());
   program->SetUniformi("vectorColors", this->VectorColors.Activate());
+  this->Light.Activate(program, view.ModelToView);
   {
     const std::unique_ptr<PointMargin> margin(points
         ? new PointMargin(window->GetState(), static_cast<int>(2 * this->PixelsPerDevice[0]),
@@ -344,6 +350,7 @@ std::string SplatPass::DrawRange(vtkOpenGLRenderWindow* window, const SceneView&
   this->Colors.Deactivate();
   this->Vectors.Deactivate();
   this->VectorColors.Deactivate();
+  this->Light.Deactivate();
   this->VertexArray->Release();
   return std::string();
 }
@@ -394,6 +401,7 @@ void SplatPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Weights.Release();
   this->Vectors.Release(window);
   this->VectorColors.Release(window);
+  this->Light.Release(window);
   this->Layer.ReleaseGraphicsResources(window);
   this->Peel.ReleaseGraphicsResources(window);
   this->VertexArray->ReleaseGraphicsResources();

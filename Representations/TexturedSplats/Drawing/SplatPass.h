@@ -9,6 +9,7 @@
 #include "FloatLayer.h"
 #include "HazeView.h"
 #include "SplatKernel.h"
+#include "SplatLight.h"
 #include "SplatRegion.h"
 #include "VertexNumbers.h"
 #include "VolumePeel.h"
@@ -46,6 +47,7 @@ struct SplatDrawingOptions
   std::size_t NearSplats = 0;
   std::size_t LargeSplats = std::numeric_limits<std::size_t>::max();
   std::size_t CloserSplats = std::numeric_limits<std::size_t>::max();
+  double LeastPointDistance = 0.0; // in radii of the largest splat; nearer ones are not points
   bool Vectors = false;
   bool Segments = false;     // instead of streaks
   bool MediaApart = false;   // the order holds vectors as items of their own
@@ -81,6 +83,12 @@ public:
   /** Colour and extinction of the same. */
   std::string UploadColors(
     vtkOpenGLRenderWindow* window, const SplatClasses& classes, const SplatTree& tree);
+  /** Where it is used, colours are the scalars of the light. */
+  std::string UploadLight(vtkOpenGLRenderWindow* window, const SplatLightSource& source,
+    const SplatSamples& samples, const SplatClasses& classes, const SplatTree& tree)
+  {
+    return this->Light.Upload(window, source, samples, classes, tree);
+  }
   /** (x, y, z, phase) of every splat of the classes and node, and (red, green, blue, seed). */
   std::string UploadVectors(
     vtkOpenGLRenderWindow* window, const std::vector<std::array<float, 4>>& vectors);
@@ -126,6 +134,7 @@ public:
     bool Peeled = false; ///< into the ranges of a peel
     bool Region = false; ///< not all of space
     bool Fade = false;   ///< there are weights
+    bool Light = false;  ///< depends on the direction of view
   };
 
 private:
@@ -143,6 +152,7 @@ private:
   BufferTexture Colors;
   BufferTexture Vectors;
   BufferTexture VectorColors;
+  SplatLight Light;
   VertexNumbers Order;
   VertexNumbers Weights;
   std::size_t Count = 0;

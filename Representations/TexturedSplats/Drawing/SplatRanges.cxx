@@ -138,8 +138,9 @@ void FindSplatRanges(const SortedSplats& splats, const SplatSamples& samples, co
     options.LargeSplats = options.CloserSplats = ParallelPoints(reach) ? 0 : all;
     return;
   }
-  options.LargeSplats = within(PointDistance(reach));
-  options.CloserSplats = within(std::max(PointDistance(reach), FirstOrderDistance(reach)));
+  const double points = std::max(PointDistance(reach), options.LeastPointDistance * reach.Radius);
+  options.LargeSplats = within(points);
+  options.CloserSplats = within(std::max(points, FirstOrderDistance(reach)));
 }
 
 void AddSplats(const SortedSplats& splats, const SceneView& view,

@@ -105,8 +105,27 @@ std::string SplatScene::FindSamples(bool changed, bool reclassified)
 void SplatScene::Classify()
 {
   const SplatFields& fields = this->From.Fields;
+  this->FindLight();
   this->Classes = ClassifySplats(this->From.Input, this->Samples, fields.Scalars, fields.Opacity,
-    fields.Property, this->From.KeepTransparent, fields.Interpolate);
+    fields.Property, this->From.KeepTransparent, fields.Interpolate, this->Light.Light.IsUsed());
+}
+
+// Colours of light that depends on the direction of view are found for each picture.
+void SplatScene::FindLight()
+{
+  const SplatFields& fields = this->From.Fields;
+  this->Light = SplatLightSource();
+  if (fields.Opacity.Array) // the opacity does not change with the light
+  {
+    this->Light.Light = CameraLight(this->From.Input, fields.Scalars.Array, fields.Scalars.OnCells);
+  }
+  if (this->Light.Light.IsUsed())
+  {
+    double range[2];
+    FindRange(this->From.Input, fields.Scalars, range);
+    this->Light.Width = range[1] - range[0];
+    this->Light.Colors.Build(fields.Property, range, TransferFunctionTable::Channels::Color);
+  }
 }
 
 void SplatScene::RestoreJacobians()
@@ -300,6 +319,9 @@ std::string SplatScene::Upload(
   {
     this->RestoreColors();
     error = pass.UploadColors(window, this->Classes, this->Hierarchy.Tree());
+    error = error.empty()
+      ? pass.UploadLight(window, this->Light, this->Samples, this->Classes, this->Hierarchy.Tree())
+      : error;
   }
   if (error.empty() && !vectors.ArrayName.empty())
   {

@@ -11,6 +11,7 @@
 #include "ScalarSelection.h"
 #include "SplatClasses.h"
 #include "SplatHierarchy.h"
+#include "SplatLight.h"
 #include "SplatOrder.h"
 #include "SplatRanges.h"
 #include "SplatReach.h"
@@ -85,6 +86,8 @@ public:
    * Thickness of the layers at right angles to the line of sight; 0 where they are those of a grid.
    */
   double GetLayerThickness() const;
+  /** Whether the colours depend on the direction of view. */
+  bool FollowsCamera() const { return this->Light.Light.IsUsed(); }
   /** Whether layers are drawn one after another, not in the order of the distances. */
   bool IsInLayers() const { return !this->Items.empty(); }
   SortedSplats GetSorted() const
@@ -123,6 +126,7 @@ private:
   void SetDrawsHierarchy(bool hierarchy);
   std::string FindSamples(bool changed, bool reclassified);
   void Classify();
+  void FindLight();
   ///@{
   /** What was freed is found again. */
   void RestoreJacobians();
@@ -148,6 +152,7 @@ private:
   double Bounds[6] = { 1, -1, 1, -1, 1, -1 };
   SplatSamples Samples;
   SplatClasses Classes;
+  SplatLightSource Light;
   SplatVectorScene VectorScene;
   SplatHierarchy Hierarchy;
   bool DrawsHierarchy = false;     // in the last render

@@ -35,6 +35,22 @@ flat in vec3 cellsGSOutput;
 flat in vec4 regionGSOutput;
 #endif
 
+#ifdef CAMERA_LIGHT
+//NEPHOSCOPE::Arrays
+//NEPHOSCOPE::Light
+flat in int litSplatGSOutput;
+flat in vec2 lightGSOutput;
+#endif
+
+vec3 mediumColor()
+{
+  vec3 color = colorGSOutput.rgb;
+#ifdef CAMERA_LIGHT
+  color += lightGSOutput.y * colorTowardsCamera(lightGSOutput.x, litSplatGSOutput, parallelRays ? vec3(0.0, 0.0, -1.0) : positionVCGSOutput);
+#endif
+  return color;
+}
+
 // A splat so near that the eye may be inside: all that is in front of the eye.
 void drawNear()
 {
@@ -49,7 +65,7 @@ void drawNear()
   }
   float cell = inversesqrt(along);
   float opticalDepth = extinctionScale * colorGSOutput.a * footprint(q) * length(positionVCGSOutput) * cell;
-  putLight(opticalDepth * seenShares(-middle, cell, q, 0.0), colorGSOutput.rgb);
+  putLight(opticalDepth * seenShares(-middle, cell, q, 0.0), mediumColor());
 }
 
 #ifdef DRAW_VECTORS
@@ -132,5 +148,5 @@ void main()
     opticalDepth *= 0.5;
   }
 #endif
-  putLight(opticalDepth, colorGSOutput.rgb);
+  putLight(opticalDepth, kindGSOutput == STREAKS ? colorGSOutput.rgb : mediumColor());
 }

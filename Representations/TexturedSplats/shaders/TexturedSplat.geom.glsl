@@ -40,6 +40,13 @@ flat out vec3 cellsGSOutput;  // and w
 flat out vec4 regionGSOutput;
 #endif
 
+#ifdef CAMERA_LIGHT // each pixel has its own direction: the colour is what haze adds
+flat out int litSplatGSOutput;
+flat out vec2 lightGSOutput; // scalar, fraction of the light that haze transmits
+int litSplat;
+vec2 lightOfSplat;
+#endif
+
 // What the corners of a splat have in common.
 struct SplatLook
 {
@@ -65,6 +72,10 @@ void emitCorner(vec2 st, vec3 positionVC, vec3 centerVC, float square, SplatLook
   detailGSOutput = look.detail;
   rayGSOutput = vec3(0.0);
   cellsGSOutput = vec3(0.0);
+#ifdef CAMERA_LIGHT
+  litSplatGSOutput = litSplat;
+  lightGSOutput = lightOfSplat;
+#endif
 #ifdef DRAW_REGION
   regionGSOutput = inRegion(look.center, look.small);
 #endif
@@ -180,6 +191,10 @@ void emitViewport(vec3 center, vec3 w, mat3 inverseJ, vec4 color)
     cellsGSOutput = w;
     colorGSOutput = color;
     kindGSOutput = VIEWPORT;
+#ifdef CAMERA_LIGHT
+    litSplatGSOutput = litSplat;
+    lightGSOutput = lightOfSplat;
+#endif
 #ifdef DRAW_REGION
     regionGSOutput = inRegion(center, false);
 #endif
@@ -214,6 +229,14 @@ void main()
   mat3 J;
   readSplat(splat, center, J);
   vec4 color = element(splatColors, splat);
+#ifdef CAMERA_LIGHT
+  litSplat = splat;
+  lightOfSplat = vec2(color.r, 1.0);
+  color.rgb = vec3(0.0);
+#ifdef NEPHOSCOPE_HAZE
+  lightOfSplat.y = hazeBefore(center).a;
+#endif
+#endif
 #ifdef NEPHOSCOPE_HAZE
   color.rgb = hazedColor(color.rgb, center); // a splat is small, and so is what haze changes across it
 #endif

@@ -26,6 +26,10 @@ uniform float extinctionScale;
 flat out vec4 regionVSOutput;
 #endif
 
+#ifdef CAMERA_LIGHT
+//NEPHOSCOPE::Light
+#endif
+
 flat out vec4 colorVSOutput;   // colour, optical depth in the middle for a footprint of 1, times log2(e)
 flat out vec4 ellipseVSOutput; // p to the unit circle of q0 (upper triangular matrix), e
 flat out vec4 placeVSOutput;   // centre in pixels, gradient of h
@@ -82,6 +86,9 @@ void main()
   vec4 centerDC = VCToDC * vec4(center, 1.0);
   vec2 place = centerDC.xy / centerDC.w;
   vec4 color = element(splatColors, splatNumber);
+#ifdef CAMERA_LIGHT
+  color.rgb = colorTowardsCamera(color.r, splatNumber, ray);
+#endif
 #ifdef NEPHOSCOPE_HAZE
   color.rgb = hazedColor(color.rgb, center); // a splat is small, and so is what haze changes across it
 #endif

@@ -26,14 +26,16 @@ void keepCameraLight(vec3 direction)
   }
 }
 
-float withCameraLight(float scalar, int point)
+// What is added to the scalar of a point.
+float cameraLightOf(int point)
 {
-  if (!cameraLight)
-  {
-    return scalar;
-  }
   vec4 second = element(lightParts, 2 * point + 1);
   float upwards = dot(lightWeights.xyz, second.yzw);
   float moment = (second.x < 0.0 ? -0.5 : 0.5) * (3.0 * upwards * upwards - dot(second.yzw, second.yzw));
-  return clamp(scalar + dot(lightWeights, element(lightParts, 2 * point)) + moment + lightWeight * abs(second.x), 0.0, 1.0);
+  return dot(lightWeights, element(lightParts, 2 * point)) + moment + lightWeight * abs(second.x);
+}
+
+float withCameraLight(float scalar, int point)
+{
+  return cameraLight ? clamp(scalar + cameraLightOf(point), 0.0, 1.0) : scalar;
 }
