@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The methods of other_methods.py: closed forms, exact solutions and Monte Carlo of one scattering. It needs numpy alone."""
+"""The methods of other_methods.py, and the scattering of scaled_media.py: closed forms, exact solutions and Monte Carlo of one scattering. It needs numpy alone."""
 import json
 import pathlib
 import sys
@@ -13,6 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import doubling  # noqa: E402
 import monte_carlo  # noqa: E402
 import other_methods  # noqa: E402
+import scaled_media  # noqa: E402
 
 LEVEL = monte_carlo.Cloud(np.full((33, 4), 8.0), 0.1, 0.25 / 32)  # optical depth 2
 
@@ -80,6 +81,22 @@ class Octaves(unittest.TestCase):
         one, same = (other_methods.radiance(LEVEL, sun, 1, view, octaves=1, sun_only=only) for only in (False, True))
         np.testing.assert_array_equal(one, same)
         self.assertTrue((other_methods.nadir_of_sun_only(LEVEL, sun, 1) < other_methods.nadir_of_octaves(LEVEL, sun, 1)).all())
+
+
+class ScaledMedia(unittest.TestCase):
+    def test_scattering(self):
+        """The first two Legendre coefficients of the angles of scattering are those of the phase function; unit directions stay so."""
+        self.addCleanup(setattr, monte_carlo, "scattered", monte_carlo.scattered)
+        before = np.array((0.6, 0, -0.8))[:, None].repeat(400000, 1)
+        for name, (f, phase) in scaled_media.MEDIA.items():
+            with self.subTest(name):
+                scaled_media.use_phase(phase)
+                after = monte_carlo.scattered(before, np.random.default_rng(3))
+                np.testing.assert_allclose((after**2).sum(0), 1, atol=1e-9)
+                cosine = (before * after).sum(0)
+                for found, legendre in ((cosine.mean(), scaled_media.COSINES), (1.5 * (cosine**2).mean() - 0.5, 1.5 * scaled_media.COSINES**2 - 0.5)):
+                    self.assertAlmostEqual(found, np.average(legendre, weights=phase), delta=0.004)
+        self.assertAlmostEqual(np.average(scaled_media.COSINES, weights=scaled_media.henyey_greenstein(0.6)), 0.6, delta=1e-3)
 
 
 if __name__ == "__main__":
