@@ -309,6 +309,15 @@ class Splats(unittest.TestCase):
             self.check(found, expected, share)
             self.assertGreater(np.abs(found - clear).max(), 0.05 * expected.max())
 
+    def test_smoke(self):
+        """Smoke as splats."""
+        grid = pyvista.ImageData(dimensions=(21,) * 3, spacing=(0.05,) * 3)
+        grid["velocity"] = np.column_stack([np.ones(grid.n_points), 0.2 * np.sin(6 * grid.points[:, 1]), 0.1 * np.cos(6 * grid.points[:, 0])])
+        smoke, eye = nephoscope.flow_volume(grid, center=(0.1, 0.5, 0.5), radius=0.15), (-8, 0.5, 0.1)
+        pictures = [light_seen(smoke.nephoscope.sunlight(self.SUN, eye=given), eye, smoke.center, angle=10, splats=True) for given in ("camera", eye, None)]
+        self.check(*pictures[:2])
+        self.assertGreater(np.abs(pictures[2] - pictures[1]).max(), 0.5 * pictures[1].max())
+
     def test_add_splats(self):
         """The same from Python: sun={'eye': 'camera'}."""
         mesh = pyvista.ImageData(dimensions=(21,) * 3, spacing=(0.05,) * 3)
