@@ -340,8 +340,7 @@ std::string VolumeSlices::DrawAtOnce(
   return error;
 }
 
-void VolumeSlices::Take(
-  vtkOpenGLRenderWindow* window, const std::vector<vtkTextureObject*>& lights)
+void VolumeSlices::Take(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureObject*>& lights)
 {
   const SavedState saved(window->GetState());
   this->Sums.Begin(window, this->Viewport, static_cast<int>(lights.size()), nullptr,
@@ -351,8 +350,8 @@ void VolumeSlices::Take(
   this->Sums.End(window);
 }
 
-void VolumeSlices::Draw(vtkOpenGLRenderWindow* window, const char* shader,
-  const std::vector<vtkTextureObject*>& textures)
+void VolumeSlices::Draw(
+  vtkOpenGLRenderWindow* window, const char* shader, const std::vector<vtkTextureObject*>& textures)
 {
   const int count = static_cast<int>(textures.size());
   std::string fragment = shader;

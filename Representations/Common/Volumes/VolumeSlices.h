@@ -57,8 +57,8 @@ public:
     vtkBoundingBox GetBox() const;
   };
   static constexpr int PerPass = FloatAccumulation::MostLayers;
-  /** Of a picture, and while the camera moves. The first and the last slice lie outside overlaps. */
-  static constexpr int Passes = 4, PassesInMotion = 1;
+  static constexpr int Passes = 4;         ///< the first and the last slice lie outside of overlaps
+  static constexpr int PassesInMotion = 1; ///< while the camera moves
 
   void Draw(vtkRenderer* renderer, const std::vector<vtkVolume*>& volumes,
     const std::vector<Medium>& media, const Drawer& draw);
@@ -86,8 +86,7 @@ public:
    */
   static std::string Definition();
   static void SetUniforms(vtkShaderProgram* program);
-  std::string DrawAtOnce(
-    vtkOpenGLRenderWindow* window, const std::function<std::string()>& cast);
+  std::string DrawAtOnce(vtkOpenGLRenderWindow* window, const std::function<std::string()>& cast);
   ///@}
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -95,8 +94,7 @@ public:
 private:
   void FindSpans(vtkRenderer* renderer, const std::vector<Medium>& media);
   struct Division;
-  void DrawSlices(
-    vtkRenderer* renderer, const std::vector<Medium>& media, const Drawer& draw);
+  void DrawSlices(vtkRenderer* renderer, const std::vector<Medium>& media, const Drawer& draw);
   void DrawPass(vtkRenderer* renderer, const Medium& medium, const std::vector<Division>& ends,
     std::size_t first, const Drawer& draw);
   void SelectSlices(const std::vector<Division>& ends, std::size_t first, int count);
@@ -116,9 +114,9 @@ private:
   std::array<double, 2> Overlap = { 0, 0 }; // distances between which media overlap
   bool Peeled = false;
   int Viewport[4] = { 0, 0, 0, 0 };
-  int Range = 0;                   // of the peel
-  int First = 0, AtOnce = 2;       // slices of the pass that are drawn now
-  float Ends[PerPass + 1] = {};    // their depths
+  int Range = 0;                // of the peel
+  int First = 0, AtOnce = 2;    // slices of the pass that are drawn now
+  float Ends[PerPass + 1] = {}; // their depths
   std::array<float, 2> Depths = { 0, 1 };
   std::array<double, 2> Distances = { 0, 0 };
   bool Front = false;
