@@ -56,7 +56,8 @@
  * light as alone.
  *
  * Field data: SunDirection and Up, three components each, towards the sun and upwards from flat
- * ground. Data without a medium below clouds take the Up of these.
+ * ground. Data without a medium below clouds take the Up of these. WhiteLight: the light that a
+ * display should show as white (WhiteLight.h).
  */
 #ifndef vtkSunlight_h
 #define vtkSunlight_h

@@ -7,6 +7,7 @@
 #include "OwnThreads.h"
 #include "PhaseFunction.h"
 #include "Vector3.h"
+#include "WhiteLight.h"
 #include "vtkSunlightInternals.h"
 
 #include "vtkDataSet.h"
@@ -90,6 +91,7 @@ void vtkSunlight::Write(vtkDataSet* data, const Work& work)
         work.Shadow, work.Flux, work.SecondMoment, this->MultipleScattering },
       static_cast<nephoscope::PhaseKind>(this->PhaseFunction));
   }
+  nephoscope::AddWhiteLight(data, work.Sun);
   data->GetPointData()->SetActiveScalars("Sunlight");
   const auto addDirection = [data](const char* name, const std::array<double, 3>& direction) {
     vtkNew<vtkDoubleArray> array;

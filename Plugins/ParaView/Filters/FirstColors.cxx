@@ -215,15 +215,21 @@ bool HasOneValue(vtkPVDataInformation* data, const ColoredArray& array)
   return range && range[1] - range[0] <= 1e-6 * std::abs(range[1]);
 }
 
-// The light of smoke that is to be white, 0 of other data. Thin smoke sends less light than clouds:
-// in their colours it would be grey.
-double LightOfSmoke(vtkPVDataInformation* data, const std::string& array)
+// What vtkSunlight says, less for smoke; 0 where white stays what it is. Thin smoke sends less
+// light than clouds: in their colours it would be grey.
+double LightThatIsWhite(vtkPVDataInformation* data, const std::string& array)
 {
   const bool isSmoke = data->GetArrayInformation("SmokeExtinction", vtkDataObject::CELL) ||
     data->GetArrayInformation("SmokeExtinction", vtkDataObject::POINT);
   vtkPVArrayInformation* light = data->GetArrayInformation(array.c_str(), vtkDataObject::POINT);
-  constexpr double share = 0.7; // of the greatest, which few places have
-  return isSmoke && light ? share * light->GetComponentFiniteRange(0)[1] : 0.0;
+  vtkPVArrayInformation* white = data->GetArrayInformation("WhiteLight", vtkDataObject::FIELD);
+  constexpr double share = 0.7,
+                   usual = 0.6; // of the greatest light, which few places have; of clouds
+  if (isSmoke && light)
+  {
+    return std::min(share * light->GetComponentFiniteRange(0)[1], usual);
+  }
+  return array == "Sunlight" && white ? white->GetComponentRange(0)[1] : 0.0;
 }
 
 bool IsUsedByOthers(vtkSMProxy* colors, vtkSMProxy* display)
@@ -299,10 +305,10 @@ void ColorByPreset(
   if (colors && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset))
   {
     vtkSMTransferFunctionProxy::ApplyPreset(colors, preset, false);
-    const double light = LightOfSmoke(source->GetDataInformation(port), array.Name);
+    const double light = LightThatIsWhite(source->GetDataInformation(port), array.Name);
     double range[2] = { 0.0, 0.0 };
     if (light > 0.0 && !IsUsedByOthers(colors, display) &&
-      vtkSMTransferFunctionProxy::GetRange(colors, range) && light < range[1])
+      vtkSMTransferFunctionProxy::GetRange(colors, range))
     {
       vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, range[0], light);
     }

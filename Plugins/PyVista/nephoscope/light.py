@@ -419,7 +419,13 @@ def brightest(mesh: pyvista.DataSet | None = None, exposure: float | None = None
 
 
 def automatic_white(mesh: pyvista.DataSet | None) -> float:
-    """1.1 times the light that 2 % of the points in clouds exceed. A point is in a cloud if its extinction is above a fiftieth of the maximum."""
+    """1.1 times the light that 2 % of the points in clouds exceed: the field array `WhiteLight`, or computed from the points of data without it.
+
+    A point is in a cloud if its extinction is above a fiftieth of the maximum. Light that depends on the direction of view counts as cameras with the sun
+    behind them see it.
+    """
+    if mesh is not None and "WhiteLight" in mesh.field_data:
+        return float(np.max(mesh.field_data["WhiteLight"]))
     if mesh is None or not {"Sunlight", "ScaledExtinction"} <= set(mesh.point_data):
         return BRIGHTEST
     light, extinction = mesh.point_data["Sunlight"], mesh.point_data["ScaledExtinction"]
