@@ -92,7 +92,7 @@ std::string MediaCalls(int count)
 {
   const std::string place = "float place";
   return CallInstances("prepareMedia", "prepareMedium", "", "", count) +
-    CallInstances("placeBesideOfMedia", "placeBeside", "int attempt", "attempt", count) +
+    CallInstances("placeBesideOfMedia", "placeBeside", "", "", count) +
     CallInstances("startMedia", "startMedium", "", "", count) +
     CallInstances("goOnInMedia", "goOnInMedium", place, "place", count) +
     CallInstances("findEvents", "findEvent", place, "place", count) +

@@ -21,7 +21,6 @@ vec4 plan = vec4(0.0);
 vec4 entered = vec4(-1.0);
 vec2 mediaRange = vec2(0.0); // places of this round
 float mediaEnd = 0.0;        // nothing is seen behind
-vec2 beside = vec2(0.0);     // by how many pixels the ray passes the centre of its pixel
 int lostMedium = -1;         // the walk through its mesh is lost
 bool isLastAttempt = false;
 float nextPlace = 0.0;
@@ -146,10 +145,11 @@ void main()
     discard;
   }
   lostMedium = -1;
-  for (int attempt = 0; attempt <= 8; ++attempt)
+  const int last = 16;
+  for (int attempt = 0; attempt <= last; ++attempt)
   {
-    isLastAttempt = attempt == 8;
-    placeBesideOfMedia(attempt);
+    isLastAttempt = attempt == last;
+    placeBesideOfMedia();
     mixedLight = vec4(0.0);
     startSlices();
     startMedia();

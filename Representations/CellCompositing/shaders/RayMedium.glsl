@@ -178,12 +178,16 @@ void prepareMedium()
   keepUniforms();
 }
 
-// Where the next attempt passes the centre of the pixel, for the medium that was lost.
-void placeBeside(int attempt)
+// By how many pixels the next attempt passes the centre of the pixel, in the medium that was lost: where one is found, another may be lost.
+int mediumAttempt = 0;
+vec2 beside = vec2(0.0);
+
+void placeBeside()
 {
-  if (lostMedium == mediumNumber)
+  if (lostMedium == mediumNumber || isLastAttempt)
   {
-    beside = besideCentre(attempt, element(boundaryFaces, max(faceOfFloat(entered[mediumNumber]), 0)).xyz);
+    mediumAttempt = isLastAttempt ? lastAttempt : min(mediumAttempt + 1, lastAttempt - 1);
+    beside = besideCentre(mediumAttempt, element(boundaryFaces, max(faceOfFloat(entered[mediumNumber]), 0)).xyz);
   }
 }
 
