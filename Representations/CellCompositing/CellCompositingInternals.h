@@ -11,6 +11,7 @@
 #include "CellScene.h"
 #include "FacePass.h"
 #include "OwnThreads.h"
+#include "PickDrawing.h"
 #include "ReportedError.h"
 #include "ResourceWindow.h"
 #include "SamplesInTime.h"
@@ -22,9 +23,13 @@
 #include "vtkVolume.h"
 #include "vtkWeakPointer.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 /** One of the volumes of a renderer that are drawn together. */
 struct vtkCellCompositingMapper::vtkMedium
@@ -33,11 +38,51 @@ struct vtkCellCompositingMapper::vtkMedium
   vtkVolume* Volume;
 };
 
+namespace nephoscope
+{
+/**
+ * What a selector finds, pixel by pixel; in a large area square by square, each at one of its
+ * pixels.
+ */
+struct SelectedPixels
+{
+  static constexpr double MostRays = 512 * 512;
+  struct Pixel
+  {
+    std::int64_t Cell = -1, Point = -1; // of the input
+    double Depth = -1;                  // in the window
+  };
+  std::array<int, 2> First = { { 0, 0 } }, Size = { { 0, 0 } }; // in pixels
+  int Width = 1;                                                // of a square, in pixels
+  std::vector<Pixel> Pixels;                                    // of the squares, row by row
+
+  bool IsEmpty() const { return this->Size[0] <= 0 || this->Size[1] <= 0; }
+  void ChooseWidth()
+  {
+    this->Width = std::max(
+      static_cast<int>(std::ceil(std::sqrt(double(this->Size[0]) * this->Size[1] / MostRays))), 1);
+  }
+  std::array<int, 2> Squares() const
+  {
+    return { { (this->Size[0] + this->Width - 1) / this->Width,
+      (this->Size[1] + this->Width - 1) / this->Width } };
+  }
+  /** The centre of a square's pixel, in pixels of the window along an axis. */
+  double Center(std::size_t axis, int number) const
+  {
+    return this->First[axis] +
+      std::min(number * this->Width + this->Width / 2, this->Size[axis] - 1) + 0.5;
+  }
+};
+}
+
 struct vtkCellCompositingMapper::vtkInternals
 {
   nephoscope::CellScene Scene;
   nephoscope::CellCompositingPass Pass;
   nephoscope::FacePass Faces;
+  nephoscope::PickDrawing Selection;
+  nephoscope::SelectedPixels Selected;   // of the selector's last first pass
   std::int64_t Uploaded = -1;            // version of the scene
   nephoscope::ScalarSelection Contoured; // array of the contours, if not the coloured one
   bool HasContours = true;               // there is an array for them
@@ -63,6 +108,7 @@ struct vtkCellCompositingMapper::vtkInternals
   nephoscope::ResourceWindow Window{ [this](vtkWindow* window) {
     this->Pass.ReleaseGraphicsResources(window);
     this->Faces.ReleaseGraphicsResources(window);
+    this->Selection.ReleaseGraphicsResources(window);
     this->Uploaded = -1;
   } };
 };

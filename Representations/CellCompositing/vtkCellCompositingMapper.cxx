@@ -101,15 +101,20 @@ vtkIdType vtkCellCompositingMapper::GetNumberOfDrawnTetrahedra()
 
 void vtkCellCompositingMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
+  if (renderer->GetSelector())
+  {
+    this->DrawSelection(renderer, volume);
+    return;
+  }
   nephoscope::VolumeOrder::Draw(this, renderer, volume);
 }
 
 void vtkCellCompositingMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!window || renderer->GetSelector() || !this->GetInputAlgorithm() || this->Internals->Busy)
+  if (!window || !this->GetInputAlgorithm() || this->Internals->Busy)
   {
-    return; // Pick() finds cells, no colours do; and without input there is nothing to draw
+    return; // without input there is nothing to draw
   }
   std::vector<vtkMedium> media = this->FindMedia(window, renderer, volume);
   if (media.front().Mapper != this)

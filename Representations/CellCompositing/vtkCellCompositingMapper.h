@@ -309,6 +309,24 @@ public:
   vtkGetMacro(PickOpacity, double);
   ///@}
 
+  ///@{
+  /**
+   * Names of integer arrays of the input with what vtkHardwareSelector reports instead of the
+   * numbers of cells and points: numbers in other data, the composite index (cell data) and the
+   * process (cell data, for selectors that read it from the data). Empty (default): the numbers in
+   * the input, 0 and this process. If a named array is missing, or its value negative, nothing is
+   * found. The names are those of vtkOpenGLPolyDataMapper.
+   */
+  vtkSetMacro(CellIdArrayName, std::string);
+  vtkGetMacro(CellIdArrayName, std::string);
+  vtkSetMacro(PointIdArrayName, std::string);
+  vtkGetMacro(PointIdArrayName, std::string);
+  vtkSetMacro(CompositeIdArrayName, std::string);
+  vtkGetMacro(CompositeIdArrayName, std::string);
+  vtkSetMacro(ProcessIdArrayName, std::string);
+  vtkGetMacro(ProcessIdArrayName, std::string);
+  ///@}
+
   /** Tetrahedra of the current input, visible or not. Valid after a render. */
   vtkIdType GetNumberOfTetrahedra();
   /**
@@ -344,9 +362,10 @@ public:
   bool CopyFloatImage(vtkImageData* image);
 
   /**
-   * Draws the volume. While building geometry, neighbours or order, it invokes ProgressEvent
-   * several times a second and stops when AbortExecute is set or the window aborts; the next render
-   * completes the work.
+   * Draws the volume. For a selector of the renderer (vtkHardwareSelector) it draws the numbers of
+   * what Pick() finds at each pixel of the selector's area instead. While building geometry,
+   * neighbours or order, it invokes ProgressEvent several times a second and stops when
+   * AbortExecute is set or the window aborts; the next render completes the work.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -373,6 +392,7 @@ protected:
 
   double PickOpacity = 0.1, PickedScalar = 0, PickPosition[3] = { 0, 0, 0 };
   vtkIdType PickedCell = -1, PickedPoint = -1;
+  std::string CellIdArrayName, PointIdArrayName, CompositeIdArrayName, ProcessIdArrayName;
 
 private:
   bool HasSurfacesOrLayers() const;
@@ -403,6 +423,10 @@ private:
   struct vtkMedium;
   friend struct nephoscope::CellsInOrder;
   void DrawInOrder(vtkRenderer* renderer, vtkVolume* volume);
+  void DrawSelection(vtkRenderer* renderer, vtkVolume* volume);
+  void PickArea(vtkRenderer* renderer, vtkVolume* volume, const unsigned int corners[4]);
+  vtkDataSet* GetPickedField();
+  double GetPickedExtinctionScale(vtkVolume* volume) const;
   std::vector<vtkMedium> FindMedia(
     vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume);
   void DrawMedia(vtkOpenGLRenderWindow* window, const std::vector<vtkMedium>& media);

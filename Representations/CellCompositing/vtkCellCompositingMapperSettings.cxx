@@ -28,6 +28,10 @@ void vtkCellCompositingMapper::ShallowCopy(vtkAbstractMapper* other)
     this->SetImageSampleDistance(mapper->ImageSampleDistance);
     this->SetMaximumImageSampleDistance(mapper->MaximumImageSampleDistance);
     this->SetPickOpacity(mapper->PickOpacity);
+    this->SetCellIdArrayName(mapper->CellIdArrayName);
+    this->SetPointIdArrayName(mapper->PointIdArrayName);
+    this->SetCompositeIdArrayName(mapper->CompositeIdArrayName);
+    this->SetProcessIdArrayName(mapper->ProcessIdArrayName);
     this->Modified();
   }
 }
@@ -51,6 +55,10 @@ void vtkCellCompositingMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
   os << indent << "PickOpacity: " << this->PickOpacity << "\n";
+  os << indent << "CellIdArrayName: " << this->CellIdArrayName << "\n";
+  os << indent << "PointIdArrayName: " << this->PointIdArrayName << "\n";
+  os << indent << "CompositeIdArrayName: " << this->CompositeIdArrayName << "\n";
+  os << indent << "ProcessIdArrayName: " << this->ProcessIdArrayName << "\n";
   os << indent << "NumberOfTetrahedra: " << this->GetNumberOfTetrahedra() << "\n";
   os << indent << "NumberOfDrawnTetrahedra: " << this->GetNumberOfDrawnTetrahedra() << "\n";
   os << indent << "NumberOfRayLayers: " << this->GetNumberOfRayLayers() << "\n";

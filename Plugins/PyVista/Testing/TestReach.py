@@ -86,6 +86,8 @@ EXCEPTIONS = {
     ("ParaView", "vtkTexturedSplatMapper", "OrderByLayers"): "off: on several ranks samples travel without their grid",
     ("PyVista", "vtkTexturedSplatMapper", "OrderByLayers"): "on; on request off, on the mapper itself",
     **{(host, "vtkCellCompositingMapper", "PickOpacity"): "how opaque is what is picked; on the mapper itself" for host in ("ParaView", "PyVista")},
+    **{(host, "vtkCellCompositingMapper", f"{kind}IdArrayName"): "numbers for selectors; the representation sets them, or on the mapper itself"
+       for host in ("ParaView", "PyVista") for kind in ("Cell", "Point", "Composite", "Process")},
     **{("PyVista", mapper, name): SAMPLES for mapper in MAPPERS_IN_TIME
        for name in ("AutoAdjustSampleDistances", "MaximumImageSampleDistance", "ImageSampleDistance")},
     **{("ParaView", mapper, "ImageSampleDistance"): "1 where Auto Adjust Sample Distances is off" for mapper in MAPPERS_IN_TIME},
