@@ -4,6 +4,7 @@
 
 #include "CellMeasures.h"
 #include "ForwardedMessages.h"
+#include "PickedNumbers.h"
 #include "RankMeasures.h"
 #include "RankRegions.h"
 #include "Ranks.h"
@@ -14,6 +15,7 @@
 #include "vtkDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
@@ -38,10 +40,36 @@ vtkCellCompositingRepresentation::vtkCellCompositingRepresentation()
 
 vtkCellCompositingRepresentation::~vtkCellCompositingRepresentation() = default;
 
+bool vtkCellCompositingRepresentation::AddToView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->RegisterPropForHardwareSelection(this, this->Actor);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkCellCompositingRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* renderView = vtkPVRenderView::SafeDownCast(view))
+  {
+    renderView->UnRegisterPropForHardwareSelection(this, this->Actor);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+vtkSmartPointer<vtkDataObject> vtkCellCompositingRepresentation::NumberInput(vtkDataObject* input)
+{
+  return GetNumberOfRanks() > 1 ? vtkSmartPointer<vtkDataObject>(input)
+                                : nephoscope::WithPickedNumbers(input);
+}
+
 void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
 {
   this->Piece =
     nephoscope::WithConvexCells(nephoscope::VolumetricPart(input, GetNumberOfRanks() > 1));
+  this->HasOwnNumbers = GetNumberOfRanks() == 1 && nephoscope::HasNumbersOf(input, this->Piece);
+  nephoscope::DropSharedNumbers(input, this->Piece);
   int association = 0;
   vtkDataArray* scalars = this->Piece ? this->FindOpacityArray(this->Piece, association) : nullptr;
   const nephoscope::CellMedium medium{ scalars,
@@ -127,6 +155,10 @@ void vtkCellCompositingRepresentation::PrepareMapper(vtkDataSet* cells)
   this->Mapper->SetVisibilityOrder(
     this->VisibilityOrder); // while the camera moves too: rays need no sorting
   this->Mapper->SetCellInterpolation(this->ChooseInterpolation(cells));
+  // Without these arrays nothing is found: cells of other numbers must not be selected.
+  this->Mapper->SetCellIdArrayName(this->HasOwnNumbers ? "" : nephoscope::pickedCellsName);
+  this->Mapper->SetPointIdArrayName(this->HasOwnNumbers ? "" : nephoscope::pickedPointsName);
+  this->Mapper->SetCompositeIdArrayName(this->HasOwnNumbers ? "" : nephoscope::pickedBlocksName);
   this->PrepareContours();
   this->PrepareMaterial();
   this->PreparePolygons();

@@ -11,6 +11,11 @@
  * - all other cells are redistributed by the view, whole: a rank gets those that reach into its
  *   region, and draws the part of each ray that is in its region.
  *
+ * On one rank ParaView's selection of cells and points, and hovering, find what is visible (Pick of
+ * the mapper): in datasets, and cells of multiblock data. Elsewhere nothing is found: on several
+ * ranks, in adaptive meshes, hyper tree grids and cells that are divided before drawing; and no
+ * points where blocks share them.
+ *
  * If no array is chosen for the opacity, smoke from vtkFlowVolume has its Density (with puffs
  * SmokeDensity) as extinction, whatever it is coloured by and without an opacity function. The
  * automatic unit distance then gives the generating polygon's diameter an optical depth of 1 at the
@@ -108,6 +113,9 @@ protected:
   vtkCellCompositingRepresentation();
   ~vtkCellCompositingRepresentation() override;
 
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+  vtkSmartPointer<vtkDataObject> NumberInput(vtkDataObject* input) override;
   void PreparePiece(vtkDataObject* input) override;
   void MovePiece(vtkMatrix4x4* matrix) override;
   void FinishPiece() override;
@@ -142,7 +150,8 @@ private:
 
   vtkNew<vtkCellCompositingMapper> Mapper;
 
-  bool HadNoVolume = false; // the input, and a warning has said so
+  bool HadNoVolume = false;   // the input, and a warning has said so
+  bool HasOwnNumbers = false; // the piece, of cells and points: those of the input
   bool AxisAligned = false;
   bool KeepsPiece = false;              // on its rank, in the view's last update
   std::array<double, 6> Region;         // of space, in which this rank draws

@@ -198,6 +198,11 @@ void vtkMediumRepresentation::WarnOfEmptiness(vtkDataObject* input)
   this->WasEmpty = isEmpty;
 }
 
+vtkSmartPointer<vtkDataObject> vtkMediumRepresentation::NumberInput(vtkDataObject* input)
+{
+  return input;
+}
+
 int vtkMediumRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -205,7 +210,8 @@ int vtkMediumRepresentation::RequestData(
   {
     this->WarnOfDisplays();
     this->WarnOfEmptiness(vtkDataObject::GetData(inputVector[0], 0));
-    this->PreparePiece(this->KeepDrawnBlocks(vtkDataObject::GetData(inputVector[0], 0)));
+    this->PreparePiece(
+      this->KeepDrawnBlocks(this->NumberInput(vtkDataObject::GetData(inputVector[0], 0))));
     this->PlacePiece();
     this->FinishPiece();
     if (GetNumberOfRanks() > 1 && this->Piece)

@@ -107,6 +107,8 @@ protected:
 
   /** Whether a block of a composite input is drawn if it has the coloured array. */
   virtual bool DrawsBlock(vtkDataObject* block) const = 0;
+  /** The input with what tells its cells and points apart once blocks have been put together. */
+  virtual vtkSmartPointer<vtkDataObject> NumberInput(vtkDataObject* input);
   /**
    * Makes `Piece` and `DataBounds` of this rank's input, which may be null. Called by all ranks.
    */
