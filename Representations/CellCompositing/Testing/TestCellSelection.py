@@ -40,7 +40,7 @@ def selector_of(scene, association=CELLS, area=(0, 0, SIZE[0] - 1, SIZE[1] - 1))
 
 
 def numbers(selection):
-    """Of each node of a selection: its prop, and the numbers."""
+    """The numbers in each node of a selection, by prop."""
     result = {}
     for i in range(selection.GetNumberOfNodes()):
         node = selection.GetNode(i)
