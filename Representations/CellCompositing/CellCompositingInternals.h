@@ -46,7 +46,7 @@ namespace nephoscope
  */
 struct SelectedPixels
 {
-  static constexpr double MostRays = 512 * 512;
+  static constexpr double MostRays = 256 * 256;
   struct Pixel
   {
     std::int64_t Cell = -1, Point = -1; // of the input
