@@ -36,6 +36,20 @@ class InMedia(unittest.TestCase):
             print(f"  {cmap} on {background}: {(change > 25).mean():.3f}")
             self.assertGreater((change > 25).mean(), 0.02, (cmap, background))
 
+    def test_smoke_among_streaks(self):
+        """It has a colour of its own, not that of the streaks."""
+        for background in ("black", "white", "#3a5f96"):
+            plotter = pyvista.Plotter(off_screen=True, window_size=(100, 80))
+            self.addCleanup(plotter.close)
+            plotter.set_background(background)
+            air = pyvista.ImageData(dimensions=(9, 9, 9), spacing=(2.5, 1, 1), origin=(-10, -4, -4))
+            air["T"], air["wind"] = np.random.default_rng(1).random(air.n_points), np.tile((1.0, 0.2, 0.0), (air.n_points, 1))
+            nephoscope.add_cells(plotter, air, "T", cmap=["white", "white"], show_scalar_bar=False)
+            streaks = nephoscope.add_splats(plotter, air, opacity=0, vectors="wind", show_scalar_bar=False)
+            smoke = nephoscope.add_smoke(plotter, beam())
+            colour = smoke.mapper.lookup_table.values[0, :3] / 255
+            self.assertGreater(np.linalg.norm(colour - streaks.mapper.GetVectorColor()), 0.25, background)
+
     def test_what_the_user_sets_stays_and_smoke_is_alike(self):
         plotter, smoke, _ = self.volumes("gray", color="white", optical_depth=1)
         alone = nephoscope.add_smoke(pyvista.Plotter(off_screen=True), beam())

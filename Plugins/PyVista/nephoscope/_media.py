@@ -28,6 +28,12 @@ def colours_of(medium: Any) -> np.ndarray:
     return np.array([function.GetColor(value) if function else [medium.GetGrayTransferFunction().GetValue(value)] * 3 for value in values])
 
 
+def vector_colours(plotter: pyvista.BasePlotter) -> list[Any]:
+    """The colour of the vectors of each visible volume of splats in the active renderer that has one for them."""
+    mappers = [volume.GetMapper() for volume in plotter.renderer.GetVolumes() if volume.GetVisibility()]
+    return [mapper.GetVectorColor() for mapper in mappers if getattr(mapper, "GetVectorArrayName", bool)() and mapper.GetUseVectorColor()]
+
+
 def extinction_at(media: list[Any], bounds: Any) -> float:
     """The greatest extinctions of those volumes whose bounds overlap with `bounds`, together, per unit of length."""
     low, high = np.reshape(bounds, (3, 2)).T

@@ -10,7 +10,7 @@ import pyvista
 from pyvista.core.errors import MissingDataError
 
 from ._checks import arrays_of, require_number
-from ._media import colours_of, extinction_at, media_in_view
+from ._media import colours_of, extinction_at, media_in_view, vector_colours
 from ._medium import is_light, require_plotter
 from .cells import add_cells
 from .light import SMOKE, lit, lit_colours
@@ -109,11 +109,12 @@ def _smoke(drawn: pyvista.Volume) -> pyvista.Volume:
 
 
 def _colour(plotter: pyvista.BasePlotter, media: list[Any]) -> str:
-    """The first that is not near a colour of the other media; otherwise the farthest."""
+    """The first that is not near a colour of the other media and of vectors; otherwise the farthest."""
     usual = ["dimgray", "white"] if is_light(plotter) else ["white", "dimgray"]
-    if not media:
+    vectors = vector_colours(plotter)
+    if not media and not vectors:
         return usual[0]
-    others = np.concatenate([[plotter.background_color.float_rgb], *(colours_of(volume.GetProperty()) for volume in media)])
+    others = np.concatenate([[plotter.background_color.float_rgb, *vectors], *(colours_of(volume.GetProperty()) for volume in media)])
     distances = {name: float(np.linalg.norm(others - pyvista.Color(name).float_rgb, axis=1).min()) for name in (*usual, LOUD)}
     return next((name for name, distance in distances.items() if distance >= NEAR), max(distances, key=distances.__getitem__))
 
