@@ -157,5 +157,37 @@ class Translucent(unittest.TestCase):
                 np.testing.assert_allclose(middle, expected, atol=0.02 if add is nephoscope.add_cells else 0.06)
 
 
+class Media(unittest.TestCase):
+    """Two media whose rays pass beside their pixels by different ways: each where it needs to."""
+
+    def meshes(self):
+        clear = pyvista.ImageData(dimensions=(48, 48, 24), spacing=(4 / 47, 4 / 47, 1.2 / 23), origin=(-2, -2, 0.6))
+        x, y, z = clear.points.T
+        clear["cloud"] = np.exp(-4 * ((x - 0.6)**2 + (y + 0.3)**2) - 12 * (z - 1.2)**2).clip(0.05) - 0.05
+        along = np.linspace(-2, 2, 40)
+        x, y, level = np.meshgrid(along, along, np.linspace(0, 1, 20), indexing="ij")
+        hill = 0.9 * np.exp(-2.2 * (x**2 + y**2))
+        curved = pyvista.StructuredGrid(x, y, hill + level * (2.2 - hill))
+        x, y, z = curved.points.T
+        curved["gas"] = np.exp(-3 * ((y - 0.15 * x)**2 + (z - 1.1 - 0.12 * x)**2)) * (x > -0.2) * np.exp(-0.4 * np.abs(x))
+        return clear, curved
+
+    def picture(self, *meshes):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(240, 180))
+        self.addCleanup(plotter.close)
+        plotter.set_background("#3a5f96")
+        for mesh in meshes:
+            nephoscope.add_cells(plotter, mesh, cmap="plasma", show_scalar_bar=False)
+        plotter.camera_position = [(-5, -6, 3.5), (0, 0, 1), (0, 0, 1)]
+        return plotter.screenshot(return_img=True).astype(int)
+
+    def test_no_holes(self):
+        clear, curved = self.meshes()
+        alone, together = self.picture(curved), self.picture(clear, curved)
+        background = np.array([58, 95, 150])
+        holes = (np.abs(together - background).max(axis=2) <= 1) & (np.abs(alone - background).max(axis=2) > 25)
+        self.assertEqual(holes.sum(), 0)
+
+
 if __name__ == "__main__":
     unittest.main()
