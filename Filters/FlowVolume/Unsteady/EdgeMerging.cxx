@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <set>
 #include <tuple>
 #include <unordered_map>
@@ -19,6 +18,7 @@ namespace
 {
 constexpr double flattest = 0.9961946980917455; // cosine of 5 degrees
 constexpr double thinnest = 1e-3;               // share of a tetrahedron's volume that must be left
+constexpr double nearlyEqual = 1e-3;            // change of a volume
 
 using Face = std::array<PointId, 3>; // sorted
 
@@ -145,11 +145,12 @@ private:
     {
       return false;
     }
-    std::map<int, double> masses, volumes; // by emission step
+    double mass = 0.0, before = 0.0, after = 0.0; // of the cavity
     for (const std::size_t t : this->Around[At(from)])
     {
-      masses[this->Mesh.EmissionSteps[t]] += this->Mesh.Masses[t];
       const TetrahedronPoints& points = this->Mesh.Tetrahedra[t];
+      mass += this->Mesh.Masses[t];
+      before += std::abs(VolumeOf(points, this->Mesh.Positions));
       if (Has(points, to))
       {
         continue;
@@ -159,13 +160,13 @@ private:
       {
         return false;
       }
-      volumes[this->Mesh.EmissionSteps[t]] += volume;
+      after += volume;
     }
-    if (masses.size() != volumes.size())
+    if (std::abs(after - before) > nearlyEqual * before)
     {
       return false;
     }
-    this->Move(from, to, masses, volumes);
+    this->Move(from, to, mass / after);
     return true;
   }
 
@@ -298,8 +299,8 @@ private:
     return Dot(before, after) > flattest * Norm(before) * Norm(after);
   }
 
-  void Move(PointId from, PointId to, const std::map<int, double>& masses,
-    const std::map<int, double>& volumes)
+  // Sides of layers move too: smoke that kept to its emission step would be squeezed.
+  void Move(PointId from, PointId to, double density)
   {
     for (const std::size_t t : this->Around[At(from)])
     {
@@ -314,9 +315,7 @@ private:
         continue;
       }
       std::replace(points.begin(), points.end(), from, to);
-      const int step = this->Mesh.EmissionSteps[t];
-      this->Mesh.Masses[t] =
-        masses.at(step) * (std::abs(VolumeOf(points, this->Mesh.Positions)) / volumes.at(step));
+      this->Mesh.Masses[t] = density * std::abs(VolumeOf(points, this->Mesh.Positions));
     }
   }
 
