@@ -268,6 +268,27 @@ class FlowVolume(unittest.TestCase):
             mesh.nephoscope.flow_volume(normal="wind")
 
 
+class Series(unittest.TestCase):
+    def test_dates_as_times(self):
+        dates = np.datetime64("2020-01-01") + np.arange(2) * np.timedelta64(2, "s")
+        for times in (dates, list(dates), dates.astype(object), list(dates.astype(object))):
+            with self.assertRaisesRegex(TypeError, "seconds since the first one pass"):
+                nephoscope.flow_volume([uniform()] * 2, times=times)
+        dates = np.asarray(list(dates.astype(object)), "datetime64[ns]")  # as the message says
+        smoke = nephoscope.flow_volume([uniform()] * 2, times=(dates - dates[0]) / np.timedelta64(1, "s"), center=(0, 0, 0))
+        self.assertAlmostEqual(smoke["Age"].max(), 2 - 1 / 64)
+
+    def test_array_of_one_mesh_is_missing(self):
+        meshes = [uniform() for _ in range(3)]
+        meshes[1].clear_data()
+        with self.assertRaisesRegex(RuntimeError, "'wind'.* This is time step 1, at 0.5"):
+            nephoscope.flow_volume(meshes, times=[0, 0.5, 1], vectors="wind", center=(0, 0, 0))
+
+    def test_after_the_last_mesh(self):
+        with self.assertWarnsRegex(RuntimeWarning, "no data at time 5: the last time step of the input is at 1"):
+            nephoscope.flow_volume([uniform()] * 2, times=[0, 1], time=5, center=(0, 0, 0))
+
+
 class Limits(unittest.TestCase):
     """The limits of steps, edges and obstacles."""
 

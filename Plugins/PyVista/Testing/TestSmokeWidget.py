@@ -115,9 +115,14 @@ class Widget(unittest.TestCase):
         self.check(line, (0, 4, 1), np.pi / 2)
 
     def test_wrong_arguments(self):
-        for options, error, text in (({"times": [0, 1]}, ValueError, "steady"), ({"vectors": "w"}, ValueError, "'w'")):
+        series = [whirl(), whirl()]
+        for mesh, options, error, text in ((whirl(), {"times": [0, 1]}, ValueError, "one mesh, of a steady flow. Leave 'times' out. For"),
+                                           (series, {"times": [0, 1]}, ValueError, r"Leave 'times' out, and pass one of the meshes, such as series\[0\]. For"),
+                                           (series, {}, TypeError, r"mesh is a list; the widget needs one mesh, of a steady flow: pass one .* series\[0\]"),
+                                           (lambda time: whirl(), {"times": [0, 1]}, ValueError, "and pass its result for one time"),
+                                           (whirl(), {"vectors": "w"}, ValueError, "'w'")):
             with self.assertRaisesRegex(error, text):
-                nephoscope.add_smoke_widget(self.plotter, whirl(), **options)
+                nephoscope.add_smoke_widget(self.plotter, mesh, **options)
         with self.assertRaisesRegex(TypeError, "plotter"):
             nephoscope.add_smoke_widget(None, whirl())
 

@@ -3,6 +3,7 @@
 """Flow volumes: the smoke that a flow carries from a polygon (`vtkFlowVolume`), and its puffs (`vtkSmokePuffs`)."""
 from __future__ import annotations
 
+import datetime
 from typing import Any, Literal
 
 import numpy as np
@@ -77,7 +78,8 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         Longer edges of a layer are split, > 0. Default: three times the longest edge of the polygon's triangles, or the distance that the flow
         covers in a time step if that is longer; longer still if `max_tetrahedra` requires it.
     min_edge_length : float, default: 0.0
-        Shorter edges of a layer are collapsed; with `times`, those of tetrahedra, at each release. 0: never.
+        Shorter edges of a layer are collapsed; with `times`, those of tetrahedra, at each release. At most `max_edge_length`, of which at most a third
+        has an effect. 0: never.
     max_turn_angle : float, default: 15.0
         A time step is halved if a path turns by more than this angle, in degrees. 0: never. With `times`, only points whose path turns more
         take shorter steps (with ``"rk4"``), and more layers are released where the smoke turns at the polygon.
@@ -102,10 +104,10 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         Maximum number of tetrahedra, >= 1. The filter coarsens the volume until the whole duration fits, and warns if the result is coarser
         than requested.
     times : sequence of float, optional
-        The times of the meshes, two or more, increasing. The flow is unsteady and interpolated linearly in time. Smoke older than `duration` is
+        The times of the meshes, two or more, increasing numbers, not dates. The flow is unsteady and interpolated linearly in time. Smoke older than `duration` is
         dropped; by default none is. Default: one mesh, a steady flow.
     time : float, optional
-        With `times`: time of the result, in the unit of `times`. Default: the last time.
+        With `times`: time of the result, in the unit of `times`. Default: the last time; later ones give that, with a warning.
     start_time : float, optional
         With `times`: time of the first release, in the unit of `times`. Default: the first time.
     time_scale : float, default: 1.0
@@ -116,7 +118,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     pyvista.UnstructuredGrid
         Tetrahedra. Cell arrays: ``EmissionStep`` (number of the time step), ``Age`` (s since the smoke left the polygon), ``Density``;
         the sum of density times volume is the emitted mass. Point arrays: ``Age`` and those of `mesh`. Field arrays: ``EmittedMass``; ``LostMass``, the part that is
-        not in the volume. In a steady flow ``LostMass`` includes ``ObstacleMass``, which ended at bodies inside the data, and ``FoldedMass``, of prisms that would have folded.
+        not in the volume. ``LostMass`` includes ``ObstacleMass``, which ended at bodies and missing values inside the data, and in a steady flow ``FoldedMass``, of prisms that would have folded.
 
     Raises
     ------
@@ -132,7 +134,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     Warns
     -----
     RuntimeWarning
-        The warnings of the filter: a polygon partly outside the data, smoke that ended at a body, smoke coarser than requested or much coarser than usual,
+        The warnings of the filter: a polygon partly outside the data, smoke that ended at a body or at velocities that are not finite (with the time of the mesh), a `time` after the last mesh, smoke coarser than requested or much coarser than usual,
         a `duration` of more than two million automatic time steps. And smoke that is short because coordinates are in degrees or kilometres and the velocity
         in metres per second, or `times` in hours.
 
@@ -220,6 +222,9 @@ def _times_of(mesh: Any) -> str:
 
 def _unsteady(smoke: vtkFlowVolume, mesh: Any, times: Numbers, start_time: float | None) -> Series:
     """The meshes as input of the filter."""
+    if np.asarray(times).dtype.kind in "mM" or any(isinstance(one, datetime.date) for one in times):
+        raise TypeError("times has dates; it must have numbers. For seconds since the first one pass (dates - dates[0]) / numpy.timedelta64(1, 's') "
+                        "with dates = numpy.asarray(times, 'datetime64[ns]').")
     if len(times) < 2:
         raise ValueError(f"times has {len(times)} values; an unsteady flow needs two or more. Leave times out for a steady flow.")
     series = Series(mesh, times)

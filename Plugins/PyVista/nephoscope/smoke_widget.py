@@ -10,6 +10,7 @@ from typing import Any
 import pyvista
 
 from ._drag_pace import DragPace
+from ._checks import listed
 from ._medium import require_plotter
 from ._typing import Numbers
 from .smoke import _NAMES, _filter, _vector, flow_volume
@@ -58,8 +59,12 @@ def add_smoke_widget(plotter: pyvista.Plotter, mesh: pyvista.DataSet | pyvista.M
     known = set(flow_volume.__kwdefaults__)
     flow = {name: options.pop(name) for name in list(options) if name in known}
     unsteady = [name for name in ("times", "time", "start_time", "time_scale") if flow.get(name) is not None]
+    one = "pass one of the meshes, such as series[0]" if isinstance(mesh, (list, tuple)) else "pass its result for one time" if callable(mesh) else ""
     if unsteady:
-        raise ValueError(f"{unsteady[0]}: the widget works with a steady flow only; leave it out.")
+        raise ValueError(f"{unsteady[0]}: the widget needs one mesh, of a steady flow. Leave {listed(unsteady)} out{one and ', and '}{one}. "
+                         "For smoke of an unsteady flow call flow_volume with times, and add_smoke.")
+    if one:
+        raise TypeError(f"mesh is a {type(mesh).__name__}; the widget needs one mesh, of a steady flow: {one}.")
     dragged = SmokeWidget(plotter, mesh, flow, {"color": color, **options}, polygon_color)
     dragged.ball = plotter.add_sphere_widget(dragged.drag if while_dragging else dragged.move_polygon, center=dragged.filter.GetCenter(),
                                              radius=0.25 * dragged.radius, color=polygon_color, test_callback=False, interaction_event="always")
