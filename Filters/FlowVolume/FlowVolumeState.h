@@ -35,6 +35,13 @@ struct FlowField
   }
 };
 
+// Velocities that are not finite numbers.
+struct MissingVelocities
+{
+  vtkIdType Missing = 0;
+  vtkIdType All = 0;
+};
+
 // The part of a time series that has been read, and the smoke at that time.
 struct StreakState
 {
@@ -45,8 +52,10 @@ struct StreakState
   std::unique_ptr<StreakVolume> Volume; // null before the start time
   Vector3 Normal{};
   double PolygonEdgeLength = 0.0;
-  bool IsCoarser = false; // polygon or time step, than asked for
-  vtkMTimeType MTime = 0; // of the pipeline when it was begun
+  MissingVelocities Missing; // of the time step read that has most of them
+  double MissingTime = 0.0;  // of that, in the unit of the pipeline
+  bool IsCoarser = false;    // polygon or time step, than asked for
+  vtkMTimeType MTime = 0;    // of the pipeline when it was begun
 };
 
 // What the automatic duration and time step of steady smoke follow from; found once for all times
@@ -62,7 +71,10 @@ struct FlowVolumeState : SeriesReading
   CrossingTime Crossing;
   std::shared_ptr<const FlowField> Field; // of the last input
   StreakState Streak;
-  vtkMTimeType ToldOfNoSmoke = 0; // of the pipeline, when it was told
+  vtkMTimeType ToldOfNoSmoke = 0; // of the pipeline, when it was told; also below
+  vtkMTimeType ToldOfNoData = 0;
+  vtkMTimeType ToldOfMissing = 0;
+  vtkMTimeType ToldOfObstacles = 0;
 };
 }
 

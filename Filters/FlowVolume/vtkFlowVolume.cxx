@@ -138,7 +138,7 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
   std::string problem;
   if (!exchange.ChooseVelocity(input, this->GetInputArrayInformation(0), velocity, problem))
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< problem << this->NameOfTimeStep());
     return nullptr;
   }
   const vtkMTimeType newest = nephoscope::NewestMTime(input);
@@ -346,6 +346,15 @@ bool vtkFlowVolume::CheckSettings()
                     << setting.Zero << ").");
       return false;
     }
+  }
+  if (this->MaximumEdgeLength > 0.0 && this->MinimumEdgeLength > this->MaximumEdgeLength)
+  {
+    vtkErrorMacro("MinimumEdgeLength ("
+      << this->MinimumEdgeLength << ") is longer than MaximumEdgeLength ("
+      << this->MaximumEdgeLength
+      << "). Edges are merged up to a third of MaximumEdgeLength: choose a MinimumEdgeLength of "
+      << this->MaximumEdgeLength / 3.0 << " or less.");
+    return false;
   }
   for (int c = 0; c < 3; ++c)
   {

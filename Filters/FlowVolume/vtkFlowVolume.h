@@ -65,6 +65,7 @@
 #include <array>      // for positions
 #include <functional> // for interpolating arrays
 #include <memory>     // for the state between updates
+#include <string>     // for messages
 
 class vtkAlgorithmOutput;
 class vtkDataObject;
@@ -79,6 +80,7 @@ class FlowVolumeExchange;
 struct FlowField;
 struct FlowVolumeSettings;
 struct FlowVolumeState;
+struct MissingVelocities;
 struct PolygonFlow;
 struct PolygonMesh;
 struct SmokeMesh;
@@ -209,8 +211,8 @@ public:
   ///@{
   /**
    * Shorter edges of a layer, where streamlines converge, are collapsed; 0 (default): never. Keep
-   * it below a third of MaximumEdgeLength. Unsteady: edges of tetrahedra, at each
-   * release; the smoke of each time step keeps its mass.
+   * it below a third of MaximumEdgeLength; above MaximumEdgeLength it is an error. Unsteady: edges
+   * of tetrahedra, at each release; the tetrahedra around share the mass.
    */
   vtkSetMacro(MinimumEdgeLength, double);
   vtkGetMacro(MinimumEdgeLength, double);
@@ -368,8 +370,8 @@ public:
    * Results of the last update, in InitialDensity times volume of the dataset: the mass that has
    * come from the polygon, the part of it that has left the data, met a blanked cell or is in cells
    * without volume (which are left out), and the part that is older than Duration (unsteady). What
-   * is left is the sum of Density times volume. ObstacleMass is the part of LostMass of a steady
-   * flow that ended at obstacles inside the data: bodies, blanked cells or values that are not
+   * is left is the sum of Density times volume. ObstacleMass is the part of LostMass
+   * that ended at obstacles inside the data: bodies, blanked cells or values that are not
    * numbers, with data again ahead of them. If it is more than 1 % of EmittedMass, a warning says
    * so. FoldedMass is the mass of prisms that ended because the flow would have folded them, even
    * in the shortest step.
@@ -448,6 +450,7 @@ private:
   void WarnOfLimit();
   void WarnOfLeaving(const nephoscope::SmokeMesh& mesh, const nephoscope::FlowField& field);
   void WarnOfObstacles(const nephoscope::SmokeReport& report, bool isMissing);
+  nephoscope::MissingVelocities CountMissing(const nephoscope::FlowField& field) const;
   bool WarnOfMissing(const nephoscope::FlowField& field);
   void WarnOfNothing(const nephoscope::SmokeReport& report);
 
@@ -464,7 +467,11 @@ private:
   bool BeginStreak(vtkPolyData* given);
   bool AdvanceStreak();
   bool HasTimeSteps() const;
+  std::string NameOfTimeStep() const;
+  bool IsToldFirst(vtkMTimeType& told);
   void WarnOfNoSmokeYet();
+  void WarnOfNoDataYet();
+  void WarnOfLoss(const nephoscope::SmokeReport& report);
   void EndSeries(vtkInformation* request);
   std::unique_ptr<nephoscope::VelocityField> StreakVelocity() const;
   void SampleStreakArrays(const nephoscope::SmokeMesh& mesh, vtkPointData* arrays);

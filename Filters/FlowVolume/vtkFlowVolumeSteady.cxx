@@ -240,6 +240,7 @@ void vtkFlowVolume::WarnOfObstacles(const nephoscope::SmokeReport& report, bool 
   {
     return;
   }
+  const char* cell = this->HasTimeSteps() ? "tetrahedron" : "prism";
   std::ostringstream folded;
   if (percent(report.FoldedMass) > 0.0)
   {
@@ -248,8 +249,8 @@ void vtkFlowVolume::WarnOfObstacles(const nephoscope::SmokeReport& report, bool 
   vtkWarningMacro("The volume lacks smoke: "
     << percent(report.ObstacleMass) << " % of it ended at "
     << (isMissing ? "missing velocities or " : "") << "obstacles inside the data (ObstacleMass)"
-    << folded.str()
-    << ". A prism ends as a whole where one of its corners meets a body. For smaller prisms shorten MaximumEdgeLength (now "
+    << folded.str() << ". A " << cell
+    << " ends as a whole where one of its corners meets a body. For smaller ones shorten MaximumEdgeLength (now "
     << this->MaximumEdgeLengthUsed
     << ") to a fraction of the body, and raise MaximumNumberOfTetrahedra (now "
     << this->MaximumNumberOfTetrahedra << ").");
@@ -286,13 +287,9 @@ void vtkFlowVolume::WarnOfLimit()
     << this->MaximumNumberOfTetrahedra << "). Allow more, or make the generating polygon simpler.");
 }
 
-bool vtkFlowVolume::WarnOfMissing(const nephoscope::FlowField& field)
+nephoscope::MissingVelocities vtkFlowVolume::CountMissing(const nephoscope::FlowField& field) const
 {
-  if (!(this->LostMass > 0.0))
-  {
-    return false; // no smoke can have met one
-  }
-  vtkIdType missing = 0, all = 0;
+  nephoscope::MissingVelocities count;
   for (vtkDataSet* set : nephoscope::DataSetsOf(field.Data))
   {
     auto* attributes = field.Velocity.OnCells
@@ -303,22 +300,32 @@ bool vtkFlowVolume::WarnOfMissing(const nephoscope::FlowField& field)
     {
       continue;
     }
-    all += velocity->GetNumberOfTuples();
+    count.All += velocity->GetNumberOfTuples();
     for (vtkIdType i = 0; i < velocity->GetNumberOfTuples(); ++i)
     {
       double v[3];
       velocity->GetTuple(i, v);
-      missing += std::isfinite(v[0] + v[1] + v[2]) ? 0 : 1;
+      count.Missing += std::isfinite(v[0] + v[1] + v[2]) ? 0 : 1;
     }
   }
-  if (missing > 0)
+  return count;
+}
+
+bool vtkFlowVolume::WarnOfMissing(const nephoscope::FlowField& field)
+{
+  if (!(this->LostMass > 0.0))
+  {
+    return false; // no smoke can have met one
+  }
+  const auto count = this->CountMissing(field);
+  if (count.Missing > 0)
   {
     vtkWarningMacro("The velocity (array '"
-      << field.Velocity.Name << "') is not a finite number at " << missing << " of " << all
-      << (field.Velocity.OnCells ? " cells" : " points")
+      << field.Velocity.Name << "') is not a finite number at " << count.Missing << " of "
+      << count.All << (field.Velocity.OnCells ? " cells" : " points")
       << ". Smoke that reaches them ends there. Replace the missing values if it should go on.");
   }
-  return missing > 0;
+  return count.Missing > 0;
 }
 
 void vtkFlowVolume::WarnOfNothing(const nephoscope::SmokeReport& report)

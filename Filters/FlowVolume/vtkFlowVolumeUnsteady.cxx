@@ -117,6 +117,17 @@ bool vtkFlowVolume::HasTimeSteps() const
   return this->Unsteady && this->State->Times.size() > 1;
 }
 
+// For a message about its data.
+std::string vtkFlowVolume::NameOfTimeStep() const
+{
+  std::ostringstream name;
+  if (this->HasTimeSteps())
+  {
+    name << " This is time step " << this->State->Next << ", at " << this->State->NextTime() << ".";
+  }
+  return name.str();
+}
+
 double vtkFlowVolume::Seconds(double time) const
 {
   return (time - this->State->Times.front()) * this->TimeScale;
@@ -224,15 +235,21 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
   }
 }
 
-// Once for a series: an animation comes back to its beginning.
+// Once for a series: an animation has many frames, and comes back to its beginning.
+bool vtkFlowVolume::IsToldFirst(vtkMTimeType& told)
+{
+  const bool isFirst = told != this->State->Streak.MTime;
+  told = this->State->Streak.MTime;
+  return isFirst;
+}
+
 void vtkFlowVolume::WarnOfNoSmokeYet()
 {
   auto& state = *this->State;
-  if (state.ToldOfNoSmoke == state.Streak.MTime)
+  if (!this->IsToldFirst(state.ToldOfNoSmoke))
   {
     return;
   }
-  state.ToldOfNoSmoke = state.Streak.MTime;
   const double start = std::max(this->StartTime, state.Times.front());
   std::ostringstream later;
   if (state.Times.back() > start)
@@ -243,6 +260,48 @@ void vtkFlowVolume::WarnOfNoSmokeYet()
     << state.Requested << ": unsteady smoke leaves the generating polygon from time " << start
     << " on, and needs time to grow. Play the animation, choose a later time" << later.str()
     << ", or switch Unsteady off.");
+}
+
+void vtkFlowVolume::WarnOfNoDataYet()
+{
+  auto& state = *this->State;
+  const double last = state.Times.back();
+  const double rounding = 1e-9 * (last - state.Times.front());
+  if (state.Requested > last + rounding && this->IsToldFirst(state.ToldOfNoData))
+  {
+    vtkWarningMacro("There are no data at time "
+      << state.Requested << ": the last time step of the input is at " << last
+      << ", and the smoke is that of this time. Choose an earlier time, or add time steps.");
+  }
+}
+
+// Of smoke that ended inside the data. The velocities of a time step need be missing in a part of
+// the data only.
+void vtkFlowVolume::WarnOfLoss(const nephoscope::SmokeReport& report)
+{
+  constexpr double noticed = 0.01; // of the smoke
+  auto& state = *this->State;
+  const nephoscope::StreakState& streak = state.Streak;
+  const bool isMissing = this->Exchange().AnyTrue(streak.Missing.Missing > 0);
+  const bool isHere = streak.Missing.Missing > 0; // on this rank
+  const bool isWhole = isHere && streak.Missing.Missing == streak.Missing.All;
+  const double share = report.LostMass / report.EmittedMass;
+  if (isHere && share > noticed && this->IsToldFirst(state.ToldOfMissing))
+  {
+    const nephoscope::MissingVelocities& missing = streak.Missing;
+    vtkWarningMacro("The velocity (array '"
+      << streak.Second->Velocity.Name << "') is not a finite number at " << missing.Missing
+      << " of " << missing.All << (streak.Second->Velocity.OnCells ? " cells" : " points")
+      << " at time " << streak.MissingTime << ". Smoke that reaches them ends there; "
+      << std::round(100.0 * share) << " % of it has ended or left the data (LostMass). "
+      << (isWhole ? "Leave this time step out: the velocity is linear between the others."
+                  : "Replace the missing values if it should go on."));
+  }
+  if (!isWhole && report.ObstacleMass > noticed * report.EmittedMass &&
+    this->IsToldFirst(state.ToldOfObstacles))
+  {
+    this->WarnOfObstacles(report, isMissing);
+  }
 }
 
 void vtkFlowVolume::EndSeries(vtkInformation* request)
@@ -260,6 +319,12 @@ bool vtkFlowVolume::ReadTimeStep(vtkDataObject* input)
   }
   streak.Second = this->MakeField(input);
   streak.LastRead = this->State->Next;
+  const auto missing = streak.Second ? this->CountMissing(*streak.Second) : streak.Missing;
+  if (missing.Missing > streak.Missing.Missing)
+  {
+    streak.Missing = missing;
+    streak.MissingTime = this->State->NextTime();
+  }
   if (streak.Volume)
   {
     streak.Volume->TurnHints();
@@ -320,6 +385,7 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
   settings.MinimumEdgeLength = this->MinimumEdgeLength;
   settings.ObstacleEdge =
     this->ObstacleLevels > 0 ? std::ldexp(settings.MaximumEdgeLength, -this->ObstacleLevels) : 0.0;
+  settings.FarthestObstacle = streak.Second->Diagonal;
   settings.Adaptive = this->Integrator == RUNGE_KUTTA_45;
   settings.Tolerance = this->Tolerance * flow.LongestEdge;
   streak.Normal = flow.Normal;
@@ -378,16 +444,18 @@ void vtkFlowVolume::WriteStreak(vtkUnstructuredGrid* output)
   const auto& streak = this->State->Streak;
   const double requested = this->RequestedSeconds();
   auto mesh = this->StreakMeshAt(requested);
-  if (mesh.Report.EmittedMass == 0.0)
+  const bool isNone = mesh.Report.EmittedMass == 0.0;
+  if (isNone && !mesh.Report.LimitReached)
   {
     vtkWarningMacro(
       "No smoke has come from the generating polygon: there the flow has been zero or parallel to it. Move or turn it.");
   }
-  else if (mesh.Tetrahedra.empty())
+  else if (!isNone && mesh.Tetrahedra.empty())
   {
     vtkWarningMacro(
       "All smoke has left the data, met blanked cells or values that are not numbers, or is older than Duration.");
   }
+  this->WarnOfNoDataYet();
   std::copy_n(streak.Normal.begin(), 3, this->NormalUsed);
   this->DurationUsed = mesh.Report.FollowedTime;
   this->TimeStepUsed = streak.Volume->TimeStep();
@@ -404,8 +472,10 @@ void vtkFlowVolume::WriteStreak(vtkUnstructuredGrid* output)
   {
     this->WarnOfLongEdges();
   }
+  this->WarnOfLoss(mesh.Report);
   this->EmittedMass = this->InitialDensity * mesh.Report.EmittedMass;
   this->LostMass = this->InitialDensity * mesh.Report.LostMass;
+  this->ObstacleMass = this->InitialDensity * mesh.Report.ObstacleMass;
   this->ExpiredMass = this->InitialDensity * mesh.Report.ExpiredMass;
   this->WriteOutput(
     mesh,

@@ -28,7 +28,7 @@ struct SmokeReport
   double EmittedMass = 0.0;        // Flux times the time that was followed
   double KeptMass = 0.0;           // in the tetrahedra: the sum of density times volume
   double LostMass = 0.0;           // of triangles that ended: EmittedMass - KeptMass
-  double ObstacleMass = 0.0;       // steady: of that, at obstacles inside the data
+  double ObstacleMass = 0.0;       // of that, at obstacles inside the data
   double FoldedMass = 0.0;         // steady: of that, of triangles that would have folded
   double ExpiredMass = 0.0;        // unsteady: of smoke older than the duration
   std::vector<double> MassPerStep; // kept, by EmissionStep

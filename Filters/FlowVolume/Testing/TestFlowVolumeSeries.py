@@ -185,10 +185,34 @@ class BadSeries(unittest.TestCase):
             v[(points[:, 2] > 0.4) & (0.45 < time < 0.55)] = np.nan
             return v
         smoke, messages = update(flow_volume(series(velocity=holed, dimensions=(5, 5, 21)), **SETTINGS))
-        self.assertEqual(messages, [])
+        self.assertEqual(len(messages), 2, messages)
+        self.assertRegex(messages[0], "not a finite number at .* of 525 points at time 0.5")
+        self.assertRegex(messages[1], "ended at missing velocities or obstacles inside the data .* A tetrahedron ends")
         self.assertTrue(np.isfinite(smoke.points).all() and np.isfinite(smoke.density).all())
-        self.assertGreater(smoke.made.GetLostMass(), 0)
+        self.assertGreater(smoke.made.GetObstacleMass(), 0.5 * smoke.made.GetLostMass())
         self.assertAlmostEqual((smoke.mass() + smoke.made.GetLostMass()) / smoke.made.GetEmittedMass(), 1, places=12)
+
+    def test_time_step_without_velocities(self):
+        """All smoke ends there; the message names the time, once in an animation."""
+        made = flow_volume(series(velocity=lambda p, t: wind(p, t) if t != 0.5 else np.full(p.shape, np.nan)), **SETTINGS)
+        told = [message for time in (0.3, 0.8, 0.9, 1.0) for message in update(made, time)[1]]
+        self.assertEqual(len(told), 1, told)
+        self.assertGreater(made.GetObstacleMass(), 0.8 * made.GetLostMass())
+        self.assertRegex(told[0], r"at time 0\.5\. .*ended or left the data .*Leave this time step out")
+
+    def test_time_after_the_last(self):
+        made = flow_volume(series(), **SETTINGS)
+        told = [message for time in (0.5, 1.0, 5, 6) for message in update(made, time)[1]]
+        self.assertEqual(len(told), 1, told)
+        self.assertRegex(told[0], "no data at time 5: the last time step of the input is at 1, and the smoke is that of this time")
+
+    def test_few_tetrahedra(self):
+        self.expect("even the coarsest volume has more tetrahedra", series(), MaximumNumberOfTetrahedra=1)
+
+    def test_edges_merged_above_the_longest(self):
+        for unsteady in (True, False):
+            self.expect("Edges are merged up to a third of MaximumEdgeLength: choose a MinimumEdgeLength of 0.1 or less", series(),
+                        Unsteady=unsteady, MinimumEdgeLength=0.4, MaximumEdgeLength=0.3)
 
     def test_array_that_is_missing_later(self):
         class Forgetful(TimeSeries):
@@ -197,6 +221,7 @@ class BadSeries(unittest.TestCase):
                 if len(self.reads) > 4:
                     vtkImageData.GetData(outputs).GetPointData().RemoveArray("v")
                 return done
+        self.expect("This is time step 4, at 0.4.", Forgetful(TIMES, wind), Velocity="v")
         self.expect("no point array 'v'", Forgetful(TIMES, wind), Velocity="v")
 
     def test_source_that_fails_midway(self):

@@ -122,7 +122,7 @@ void StreakVolume::Step(const VelocityField& field, double time)
     this->Move(field, next);
     if (next < time)
     {
-      this->ReleaseLayer();
+      this->ReleaseLayer(field);
     }
     if (!this->IsAt(this->ReleaseTime(this->Layer + 1)))
     {
@@ -217,18 +217,18 @@ void StreakVolume::ReleaseRegularLayer(const VelocityField& field)
 {
   const std::size_t most = this->Smoke.Tetrahedra.size() + 3 * this->Polygon.Triangles.size();
   this->Full = this->Full || most > this->Settings.MaximumNumberOfTetrahedra;
-  this->ReleaseLayer();
+  this->ReleaseLayer(field);
   ++this->Layer;
   this->EndSmoke(field);
   this->MergeTetrahedra();
   this->BisectTetrahedra(this->Allowed(this->Layer));
 }
 
-void StreakVolume::ReleaseLayer()
+void StreakVolume::ReleaseLayer(const VelocityField& field)
 {
   if (!this->Full)
   {
-    this->Lost += this->JoinLayer(this->Smoke);
+    this->Lose(field, this->JoinLayer(this->Smoke));
     this->Emitted = std::accumulate(this->Emitting.begin(), this->Emitting.end(), this->Emitted);
     this->Released = this->Now;
   }
@@ -248,13 +248,13 @@ StreakFront StreakVolume::AddLayer(StreakMesh& smoke) const
 }
 
 // Releases a layer and joins it to the front, which is downstream of it; it
-// becomes the front. Returns the mass for which there is no prism, since a
+// becomes the front. Returns the smoke for which there is no prism, since a
 // corner has left the data.
-double StreakVolume::JoinLayer(StreakMesh& smoke) const
+StreakLoss StreakVolume::JoinLayer(StreakMesh& smoke) const
 {
   const FrontDivision front(smoke.Front);
   const StreakFront layer = this->AddLayer(smoke);
-  double lost = 0.0;
+  StreakLoss lost;
   for (std::size_t t = 0; t < this->Polygon.Triangles.size(); ++t)
   {
     const auto& corners = this->Polygon.Triangles[t];
@@ -266,7 +266,7 @@ double StreakVolume::JoinLayer(StreakMesh& smoke) const
     const DividedPrism prism(points, front, smoke.Positions);
     if (!inside || prism.Volume == 0.0)
     {
-      lost += this->Emitting[t];
+      lost.Add(smoke, points, this->Emitting[t]);
       continue;
     }
     for (std::size_t i = 0; i < prism.Tetrahedra.size(); ++i)
@@ -278,7 +278,7 @@ double StreakVolume::JoinLayer(StreakMesh& smoke) const
       }
       else
       {
-        lost += mass;
+        lost.Add(smoke, prism.Tetrahedra[i], mass);
       }
     }
   }
@@ -286,18 +286,30 @@ double StreakVolume::JoinLayer(StreakMesh& smoke) const
   return lost;
 }
 
+void StreakVolume::Lose(const VelocityField& field, const StreakLoss& loss)
+{
+  this->Lost += loss.Total();
+  this->Obstacle +=
+    loss.AtObstacles(this->Smoke, field, this->Settings.TimeStep, this->Settings.FarthestObstacle);
+}
+
 void StreakVolume::EndSmoke(const VelocityField& field)
 {
   const double oldest = this->Now - this->Settings.Duration + this->Rounding();
   const std::size_t before = this->Smoke.Tetrahedra.size();
+  StreakLoss loss;
   this->Smoke.Filter([&](std::size_t t) {
     const bool inside = this->Smoke.IsInside(this->Smoke.Tetrahedra[t]);
     const bool expired = this->Settings.Duration > 0.0 &&
       this->ReleaseTime(this->Smoke.EmissionSteps[t] + 1) <= oldest;
-    this->Lost += inside ? 0.0 : this->Smoke.Masses[t];
+    if (!inside)
+    {
+      loss.Add(this->Smoke, this->Smoke.Tetrahedra[t], this->Smoke.Masses[t]);
+    }
     this->Expired += inside && expired ? this->Smoke.Masses[t] : 0.0;
     return inside && !expired;
   });
+  this->Lose(field, loss);
   this->EndAtObstacles(field);
   if (this->Smoke.Tetrahedra.size() < before)
   {
@@ -316,7 +328,9 @@ void StreakVolume::EndAtObstacles(const VelocityField& field)
     blocked = this->FindBlocked(field);
   }
   this->Smoke.Filter([&](std::size_t t) {
-    this->Lost += blocked[t] ? this->Smoke.Masses[t] : 0.0;
+    const double mass = blocked[t] ? this->Smoke.Masses[t] : 0.0;
+    this->Lost += mass;
+    this->Obstacle += mass;
     return !blocked[t];
   });
 }
@@ -396,7 +410,7 @@ SmokeMesh StreakVolume::Mesh() const
   double lost = this->Lost;
   if (!this->Full && this->Now > this->Released + this->Rounding())
   {
-    lost += this->JoinLayer(smoke);
+    lost += this->JoinLayer(smoke).Total();
   }
   smoke.Front = {}; // nothing will be joined to it any more
   const bool divided = BisectLongEdges(
@@ -418,6 +432,7 @@ SmokeMesh StreakVolume::Mesh() const
   mesh.Hints = std::move(smoke.Hints);
   mesh.Report.EmittedMass = this->EmittedMass();
   mesh.Report.LostMass = lost;
+  mesh.Report.ObstacleMass = this->Obstacle;
   mesh.Report.ExpiredMass = this->Expired;
   mesh.Report.FollowedTime = this->Now - this->Settings.StartTime;
   mesh.Report.LimitReached = this->Full;

@@ -16,6 +16,7 @@
 #define nephoscope_StreakVolume_h
 
 #include "PolygonFlow.h"
+#include "StreakLoss.h"
 #include "TurningPaths.h"
 
 #include <cmath>
@@ -36,7 +37,9 @@ struct StreakSettings
   int MaximumHalvings = 4; // of a step or between two layers
   // Obstacles of this length or longer are found between the corners of tetrahedra; 0: at corners.
   double ObstacleSize = 0.0;
-  double ObstacleEdge = 0.0; // longest edge of a tetrahedron that ends at one; 0: any
+  double ObstacleEdge = 0.0;     // longest edge of a tetrahedron that ends at one; 0: any
+  double FarthestObstacle = 0.0; // smoke that ends has met one if there are data again within this
+                                 // length ahead of it
   bool Adaptive = false;
   double Tolerance = 1e-6; // of the adaptive method, a length
   std::size_t MaximumNumberOfTetrahedra = 1000000;
@@ -81,9 +84,10 @@ private:
   void Emit(const VelocityField& field, double time);
   void TakeVelocities(const PolygonVelocities& velocities);
   void ReleaseRegularLayer(const VelocityField& field);
-  void ReleaseLayer();
+  void ReleaseLayer(const VelocityField& field);
   StreakFront AddLayer(StreakMesh& smoke) const;
-  double JoinLayer(StreakMesh& smoke) const;
+  StreakLoss JoinLayer(StreakMesh& smoke) const;
+  void Lose(const VelocityField& field, const StreakLoss& loss);
   void EndSmoke(const VelocityField& field);
   void EndAtObstacles(const VelocityField& field);
   std::vector<unsigned char> FindBlocked(const VelocityField& field) const;
@@ -102,6 +106,7 @@ private:
   std::vector<double> Emitting; // mass through the triangles since
   double Emitted = 0.0;         // mass of all prisms before
   double Lost = 0.0;
+  double Obstacle = 0.0; // of that, at obstacles inside the data
   double Expired = 0.0;
   bool Full = false;
   bool Coarser = false; // longer edges, or smoke that turns more, for want of tetrahedra
