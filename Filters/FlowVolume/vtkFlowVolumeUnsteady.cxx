@@ -275,8 +275,7 @@ void vtkFlowVolume::WarnOfNoDataYet()
   }
 }
 
-// Of smoke that ended inside the data. The velocities of a time step need be missing in a part of
-// the data only.
+// Smoke that ended inside the data. In a time step without any velocity, no obstacle is the cause.
 void vtkFlowVolume::WarnOfLoss(const nephoscope::SmokeReport& report)
 {
   constexpr double noticed = 0.01; // of the smoke

@@ -153,25 +153,34 @@ TEST(StreakVolume, ShortEdgesAreMerged)
 
 TEST(StreakVolume, MergedEdgesKeepTheDensity)
 {
-  // Without divergence it is 1.
+  // Without divergence it is 1. Eddies bend the edges: without merging, it is 0.93 to 1.07 there.
   const ChangingField strain([](const Vector3& p, double) {
     return Vector3{ { 0.5 * p[0], -0.5 * p[1], 1.0 } };
   });
   const ChangingField shear([](const Vector3& p, double t) {
     return Vector3{ { std::cos(2.0 * t) + 0.5 * p[2], 0.3 * p[2], 1.0 } };
   });
-  StreakSettings settings = Every(1.0 / 32.0, 0.3);
-  for (const ChangingField* field : { &strain, &shear })
+  const ChangingField eddies([](const Vector3& p, double t) {
+    return Vector3{ { 0.4 * std::sin(2.0 * p[1] + t), 0.4 * std::sin(2.0 * p[2]),
+      1.0 + 0.3 * std::sin(2.0 * p[0]) } };
+  });
+  struct Case
   {
-    settings.MinimumEdgeLength = 0.0;
-    const auto all = Streak(*field, Square(0.3, 5), settings, { 2.0 });
+    const ChangingField& Field;
+    double Least, Most; // density
+  };
+  for (const Case& flow :
+    { Case{ strain, 0.97, 1.03 }, Case{ shear, 0.97, 1.03 }, Case{ eddies, 0.7, 1.4 } })
+  {
+    StreakSettings settings = Every(1.0 / 32.0, 0.3);
+    const auto all = Streak(flow.Field, Square(0.3, 5), settings, { 2.0 });
     settings.MinimumEdgeLength = 0.05;
-    const auto few = Streak(*field, Square(0.3, 5), settings, { 2.0 });
+    const auto few = Streak(flow.Field, Square(0.3, 5), settings, { 2.0 });
     ExpectWhole(few);
     EXPECT_LT(few.Tetrahedra.size(), 0.7 * static_cast<double>(all.Tetrahedra.size()));
     const auto densities = std::minmax_element(few.Densities.begin(), few.Densities.end());
-    EXPECT_GT(*densities.first, 0.97);
-    EXPECT_LT(*densities.second, 1.03);
+    EXPECT_GT(*densities.first, flow.Least);
+    EXPECT_LT(*densities.second, flow.Most);
   }
 }
 

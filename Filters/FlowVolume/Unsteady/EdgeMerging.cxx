@@ -17,8 +17,9 @@ namespace nephoscope
 namespace
 {
 constexpr double flattest = 0.9961946980917455; // cosine of 5 degrees
-constexpr double thinnest = 1e-3;               // share of a tetrahedron's volume that must be left
-constexpr double nearlyEqual = 1e-3;            // change of a volume
+// Thickness of a tetrahedron that merging makes: eddies would soon turn thinner ones over.
+constexpr double thinnest = 0.05;
+constexpr double nearlyEqual = 1e-3; // change of a volume
 
 using Face = std::array<PointId, 3>; // sorted
 
@@ -170,15 +171,30 @@ private:
     return true;
   }
 
-  // 0 if the tetrahedron would turn over or become flat.
+  // 0 if the tetrahedron would turn over or become a sliver.
   double VolumeAfter(const TetrahedronPoints& points, PointId from, PointId to) const
   {
     TetrahedronPoints moved = points;
     std::replace(moved.begin(), moved.end(), from, to);
     const double before = VolumeOf(points, this->Mesh.Positions);
     const double after = VolumeOf(moved, this->Mesh.Positions);
-    return after * before > 0.0 && std::abs(after) > thinnest * std::abs(before) ? std::abs(after)
-                                                                                 : 0.0;
+    const bool isThick = Thickness(moved) > std::min(thinnest, Thickness(points));
+    return after * before > 0.0 && isThick ? std::abs(after) : 0.0;
+  }
+
+  // 1 for a regular tetrahedron, 0 for a flat one.
+  double Thickness(const TetrahedronPoints& points) const
+  {
+    constexpr double regular = 0.11785113019775793; // volume, of edges of 1
+    double longest = 0.0;
+    for (std::size_t i = 1; i < 4; ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        longest = std::max(longest, this->Length(points[i], points[j]));
+      }
+    }
+    return std::abs(VolumeOf(points, this->Mesh.Positions)) / (regular * std::pow(longest, 3.0));
   }
 
   bool KeepsLengths(const TetrahedronPoints& points, PointId to) const
