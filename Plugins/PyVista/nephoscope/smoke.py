@@ -25,7 +25,7 @@ _NAMES = {"move the polygon there, by Center if it is regular": "pass that as ce
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
           "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Play the animation, choose a later time": "Choose a later time", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle", "MaximumAreaRatio": "max_area_ratio", "MaximumDivergence": "max_divergence", "ObstacleSize": "obstacle_size",
-          "Choose a velocity:": "Choose a velocity by vectors:", "(ObstacleMass)": "(smoke.field_data['ObstacleMass'])", "Period": "period"}
+          "Choose a velocity:": "Choose a velocity by vectors:", "(ObstacleMass)": "(smoke.field_data['ObstacleMass'])", "(LostMass)": "(smoke.field_data['LostMass'])", "Period": "period"}
 
 
 def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
