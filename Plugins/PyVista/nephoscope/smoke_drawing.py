@@ -18,6 +18,7 @@ from .light import SMOKE, lit, lit_colours
 LOUD = "orangered"  # for smoke that would have the colour of a medium
 NEAR = 0.35  # distance of colours that are hardly told apart, as of streaks in a medium
 SHOWN = 4.0  # least extinction, of that of the media around: of the light that comes from there, four fifths are the smoke's own
+DEEPEST = 2.0  # optical depth of the width by default: thicker smoke would look like a solid body
 HEADROOM = 1e4  # densities up to so many times the one of opacity 1 are drawn: values may be raised in place, and flows may converge
 
 
@@ -42,7 +43,7 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
         ``"Density"``.
     optical_depth : float, optional
         Optical depth of a path as long as the generating polygon is wide, through smoke of the `reference_density`, > 0. 1 transmits exp(-1) of the
-        light. Default: 1; within the bounds of other volumes in the view as much more as the smoke needs to have four times their greatest extinction. What these hide in front of the smoke
+        light. Default: 1; within the bounds of other volumes in the view as much more as the smoke needs to have four times their greatest extinction, but at most 2. What these hide in front of the smoke
         stays hidden: give them a larger `opacity_unit_distance`. With `sun` always 1.
     reference_density : float, optional
         The density to which `optical_depth` refers, > 0. Default: in smoke of an unsteady flow (`flow_volume` with `times`) the density at the polygon,
@@ -81,7 +82,7 @@ def add_smoke(plotter: pyvista.BasePlotter, volume: pyvista.UnstructuredGrid, sc
     reference = _reference(volume, density, reference_density)
     require_plotter(plotter)
     width, media = _width(volume), [one for one in media_in_view(plotter) if not getattr(one.GetMapper(), "_is_smoke", False)]
-    least = 1.0 if sun is not None else max(1.0, SHOWN * width * extinction_at(media, volume.bounds))
+    least = 1.0 if sun is not None else min(max(1.0, SHOWN * width * extinction_at(media, volume.bounds)), DEEPEST)
     depth = least if optical_depth is None else require_number(optical_depth, "optical_depth", above=0)
     distance = width * (reference or _mean(volume, density) or 1.0) / depth  # in smoke of density 1
     if sun is not None:
