@@ -10,6 +10,9 @@ class vtkDataSet;
 
 namespace nephoscope
 {
+// The least of those above 0; 0 if there is none.
+double SmallestSize(const std::vector<double>& sizes);
+
 // The size of the smallest cell that is blanked, itself or by a point: the cube root of the volume
 // of its bounds. 0 if there is none.
 double SmallestBlankedCell(const std::vector<vtkDataSet*>& sets);

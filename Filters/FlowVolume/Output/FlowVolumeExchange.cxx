@@ -138,12 +138,7 @@ double FlowVolumeExchange::DiagonalOf(const std::vector<vtkDataSet*>& sets) cons
 
 double FlowVolumeExchange::SmallestBlanked(const std::vector<vtkDataSet*>& sets) const
 {
-  double smallest = 0.0;
-  for (const double size : this->Gather({ SmallestBlankedCell(sets) }))
-  {
-    smallest = size > 0.0 && (smallest == 0.0 || size < smallest) ? size : smallest;
-  }
-  return smallest;
+  return SmallestSize(this->Gather({ SmallestBlankedCell(sets) }));
 }
 
 bool FlowVolumeExchange::ChooseVelocity(

@@ -16,9 +16,6 @@ namespace nephoscope
 {
 namespace
 {
-constexpr unsigned char HIDING_CELL =
-  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-
 // Null if no flag of the mask is set.
 const unsigned char* Ghosts(vtkDataSetAttributes* attributes, vtkIdType count, unsigned char mask)
 {
@@ -35,11 +32,11 @@ const unsigned char* Ghosts(vtkDataSetAttributes* attributes, vtkIdType count, u
 }
 }
 
-HiddenCells::HiddenCells(vtkDataSet* data)
+HiddenCells::HiddenCells(vtkDataSet* data, unsigned char flags)
 {
   const vtkIdType cells = data->GetNumberOfCells();
   const vtkIdType points = data->GetNumberOfPoints();
-  const unsigned char* ofCells = Ghosts(data->GetCellData(), cells, HIDING_CELL);
+  const unsigned char* ofCells = Ghosts(data->GetCellData(), cells, flags);
   const unsigned char* ofPoints =
     Ghosts(data->GetPointData(), points, vtkDataSetAttributes::HIDDENPOINT);
   if (ofCells || ofPoints)
@@ -48,7 +45,7 @@ HiddenCells::HiddenCells(vtkDataSet* data)
   }
   for (vtkIdType cell = 0; ofCells && cell < cells; ++cell)
   {
-    this->Flags[static_cast<std::size_t>(cell)] = (ofCells[cell] & HIDING_CELL) != 0;
+    this->Flags[static_cast<std::size_t>(cell)] = (ofCells[cell] & flags) != 0;
   }
   if (!ofPoints)
   {

@@ -4,6 +4,8 @@
 #ifndef nephoscope_HiddenCells_h
 #define nephoscope_HiddenCells_h
 
+#include "vtkDataSetAttributes.h"
+#include "vtkNephoscopeFiltersVelocityFieldModule.h" // for export macro
 #include "vtkType.h"
 
 #include <vector>
@@ -12,13 +14,14 @@ class vtkDataSet;
 
 namespace nephoscope
 {
-// A cell is hidden by HIDDENCELL or REFINEDCELL in the vtkGhostType of the cells, or by a
-// HIDDENPOINT corner.
+// A cell is hidden by one of the flags in the vtkGhostType of the cells, HIDDENCELL or REFINEDCELL
+// by default, or by a HIDDENPOINT corner.
 // Duplicates (ghost copies of other pieces) hold valid values and stay.
-class HiddenCells
+class VTKNEPHOSCOPEFILTERSVELOCITYFIELD_EXPORT HiddenCells
 {
 public:
-  explicit HiddenCells(vtkDataSet* data);
+  explicit HiddenCells(vtkDataSet* data,
+    unsigned char flags = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL);
 
   bool Any() const { return !this->Flags.empty(); }
   bool operator[](vtkIdType cell) const

@@ -223,8 +223,8 @@ double LightThatIsWhite(vtkPVDataInformation* data, const std::string& array)
     data->GetArrayInformation("SmokeExtinction", vtkDataObject::POINT);
   vtkPVArrayInformation* light = data->GetArrayInformation(array.c_str(), vtkDataObject::POINT);
   vtkPVArrayInformation* white = data->GetArrayInformation("WhiteLight", vtkDataObject::FIELD);
-  constexpr double share = 0.7,
-                   usual = 0.6; // of the greatest light, which few places have; of clouds
+  constexpr double share = 0.7; // of the greatest light, which few places have
+  constexpr double usual = 0.6; // of clouds
   if (isSmoke && light)
   {
     return std::min(share * light->GetComponentFiniteRange(0)[1], usual);

@@ -24,15 +24,7 @@ def polyhedral():
     return meshes.polyhedron(corners, faces)
 
 
-BOX = lambda p: 2 * p - 1  # noqa: E731
-DATA = {
-    "image": lambda: meshes.image((4, 4, 4), (0.5,) * 3, (-1, -1, -1)),
-    "grid": lambda: meshes.structured(3, BOX),
-    "hexahedra": lambda: meshes.Lattice(3).mesh("hexahedron", BOX),
-    "wedges": lambda: meshes.Lattice(3).mesh("wedge", BOX),
-    "tetrahedra": lambda: meshes.Lattice(3).mesh("tetra", BOX),
-    "polyhedra": polyhedral,
-}
+DATA = {**meshes.BOXES, "polyhedra": polyhedral}
 
 
 class Picking(ImageTestCase):

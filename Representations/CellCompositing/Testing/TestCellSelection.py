@@ -16,14 +16,7 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLHardwareSelector  # noqa: F4
 SIZE = (40, 36)
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 X = lambda p: 0.5 + 0.1 * p[:, 2] + 0.2 * p[:, 0]  # noqa: E731
-BOX = lambda p: 2 * p - 1  # noqa: E731
-DATA = {
-    "image": lambda: meshes.image((4, 4, 4), (0.5,) * 3, (-1, -1, -1)),
-    "grid": lambda: meshes.structured(3, BOX),
-    "hexahedra": lambda: meshes.Lattice(3).mesh("hexahedron", BOX),
-    "wedges": lambda: meshes.Lattice(3).mesh("wedge", BOX),
-    "tetrahedra": lambda: meshes.Lattice(3).mesh("tetra", BOX),
-}
+DATA = meshes.BOXES
 LOOKS = {
     "parallel": lambda s: s.look((0.03, 0.02, 5), (0.03, 0.02, 0), parallel_scale=0.8, near=0.1, far=20),
     "outside": lambda s: s.look((3, 2.5, 4), (0, 0, 0), angle=30, near=0.5, far=40),

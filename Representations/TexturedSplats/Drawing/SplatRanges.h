@@ -20,7 +20,6 @@ namespace nephoscope
 
 struct SceneView;
 class DepthTiles;
-class DepthTiles;
 struct SplatDrawingOptions;
 struct SplatSamples;
 

@@ -229,6 +229,16 @@ def structured(blocks, warp):
     return result
 
 
+BOX = lambda p: 2 * p - 1  # noqa: E731
+BOXES = {  # the box from -1 to 1 in cells of each kind
+    "image": lambda: image((4, 4, 4), (0.5,) * 3, (-1, -1, -1)),
+    "grid": lambda: structured(3, BOX),
+    "hexahedra": lambda: Lattice(3).mesh("hexahedron", BOX),
+    "wedges": lambda: Lattice(3).mesh("wedge", BOX),
+    "tetrahedra": lambda: Lattice(3).mesh("tetra", BOX),
+}
+
+
 def renumbered(mesh, rng):
     """The same mesh with cells, points and the corners within each tetrahedron in another order."""
     points = points_of(mesh)
