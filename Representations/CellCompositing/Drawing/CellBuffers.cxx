@@ -174,6 +174,13 @@ bool CellBuffers::UsesSmallOpacityTable() const
   return this->SeparateOpacity && !this->SmallOpacityTable.Nodes.empty();
 }
 
+bool CellBuffers::HasSmallTables(std::size_t most) const
+{
+  return !this->SmallTable.Nodes.empty() &&
+    (this->UsesSmallOpacityTable() || !this->SeparateOpacity) &&
+    std::max(this->SmallTable.Nodes.size(), this->SmallOpacityTable.Nodes.size()) <= most;
+}
+
 std::string CellBuffers::SmallTableDefinition() const
 {
   const std::size_t nodes = this->SmallTable.Nodes.size();
@@ -188,12 +195,13 @@ std::string CellBuffers::SmallTableDefinition() const
         : std::string());
 }
 
-void CellBuffers::SetSmallTable(vtkShaderProgram* program) const
+void CellBuffers::SetSmallTable(vtkShaderProgram* program, int instance) const
 {
   if (this->SmallTable.Nodes.empty())
   {
     return;
   }
+  const auto name = [=](const char* uniform) { return InstanceName(uniform, instance); };
   std::vector<std::array<float, 4>> low, high;
   for (const TransferFunctionTable::Interval& interval : this->SmallTable.Intervals)
   {
@@ -201,12 +209,12 @@ void CellBuffers::SetSmallTable(vtkShaderProgram* program) const
     high.push_back(interval.High);
   }
   using Values = const float(*)[4];
-  program->SetUniform1fv(
-    "smallNodes", static_cast<int>(this->SmallTable.Nodes.size()), this->SmallTable.Nodes.data());
+  program->SetUniform1fv(name("smallNodes"), static_cast<int>(this->SmallTable.Nodes.size()),
+    this->SmallTable.Nodes.data());
   program->SetUniform4fv(
-    "smallLow", static_cast<int>(low.size()), reinterpret_cast<Values>(low.data()));
+    name("smallLow"), static_cast<int>(low.size()), reinterpret_cast<Values>(low.data()));
   program->SetUniform4fv(
-    "smallHigh", static_cast<int>(high.size()), reinterpret_cast<Values>(high.data()));
+    name("smallHigh"), static_cast<int>(high.size()), reinterpret_cast<Values>(high.data()));
   if (!this->UsesSmallOpacityTable())
   {
     return;
@@ -217,8 +225,8 @@ void CellBuffers::SetSmallTable(vtkShaderProgram* program) const
     opacities.push_back({ { interval.Low[3], interval.High[3] } });
   }
   const std::vector<float>& nodes = this->SmallOpacityTable.Nodes;
-  program->SetUniform1fv("smallOpacityNodes", static_cast<int>(nodes.size()), nodes.data());
-  program->SetUniform2fv("smallOpacities", static_cast<int>(opacities.size()),
+  program->SetUniform1fv(name("smallOpacityNodes"), static_cast<int>(nodes.size()), nodes.data());
+  program->SetUniform2fv(name("smallOpacities"), static_cast<int>(opacities.size()),
     reinterpret_cast<const float(*)[2]>(opacities.data()));
 }
 

@@ -52,7 +52,9 @@ public:
    * RaySegments.glsl; otherwise they are not defined.
    */
   std::string SmallTableDefinition() const;
-  void SetSmallTable(vtkShaderProgram* program) const;
+  /** Whether all of the transfer function is in uniforms, and has so many nodes at most. */
+  bool HasSmallTables(std::size_t most) const;
+  void SetSmallTable(vtkShaderProgram* program, int instance = -1) const;
 
   bool HasPointOpacity() const { return this->SeparateOpacity && !this->OpacityOnCells; }
   bool HasOpacityScalars() const { return this->SeparateOpacity; }

@@ -50,6 +50,13 @@ std::string CellDrawing::OwnConstants() const
     ShaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Planes.Definition();
 }
 
+std::string CellDrawing::MediumConstants() const
+{
+  constexpr std::size_t few = 12; // four media have a thousand numbers in uniforms
+  const bool isSmall = this->Options.SplitAtControlPoints && this->Buffers.HasSmallTables(few);
+  return (isSmall ? this->Buffers.SmallTableDefinition() : "") + this->OwnConstants();
+}
+
 std::string CellDrawing::CommonConstants() const
 {
   return ShaderConstant("softwareOpenGL", IsSoftwareOpenGL()) + this->Options.Haze.Definition() +
@@ -102,6 +109,7 @@ void CellDrawing::SetOwnUniforms(vtkShaderProgram* program, int instance) const
 {
   this->Options.Planes.SetUniforms(program, InstanceName("clippingPlanes", instance));
   this->Buffers.Activate(program, instance);
+  this->Buffers.SetSmallTable(program, instance);
   program->SetUniformf(
     InstanceName("extinctionScale", instance), static_cast<float>(this->Options.ExtinctionScale));
   vtkNew<vtkMatrix4x4> transposed;

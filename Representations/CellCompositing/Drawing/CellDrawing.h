@@ -62,7 +62,9 @@ struct CellDrawing
   std::string ShaderConstants() const { return this->OwnConstants() + this->CommonConstants(); }
   /** The same constants without those common to everything that the renderer draws. */
   std::string OwnConstants() const;
-  /** Those, which are the same for all media. */
+  /** The first for one of several media. */
+  std::string MediumConstants() const;
+  /** The others, which are the same for all media. */
   std::string CommonConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
   void SetUniforms(vtkShaderProgram* program) const;

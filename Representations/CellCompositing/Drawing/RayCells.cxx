@@ -165,7 +165,11 @@ bool RayCells::ReadySegmentProgram(const CellDrawing& drawing, bool throughTetra
 
 std::string RayCells::MediumShader(const CellDrawing& drawing, int instance) const
 {
-  const std::string constants = drawing.OwnConstants() + this->OwnConstants() +
+  if (this->Voxels.CanDraw(drawing))
+  {
+    return this->Voxels.MediumShader(drawing, instance);
+  }
+  const std::string constants = drawing.MediumConstants() + this->OwnConstants() +
     "const int mediumNumber = " + std::to_string(instance) + ";\n";
   return ShaderInstance(
     SpecializedShader(ShaderOfMedium(this->GetTopology()), constants), instance);
@@ -182,6 +186,16 @@ std::string RayCells::Draw(const CellDrawing& drawing)
   const CellDrawing fromStart = { drawing.Window, drawing.Viewport, moved.View, drawing.Options,
     drawing.Buffers, drawing.Contours, drawing.Depth, drawing.Peel, drawing.Range };
   return this->DrawFrom(fromStart);
+}
+
+std::string RayCells::DrawOwned(const CellDrawing& drawing, vtkTextureObject* owners, int owner)
+{
+  if (this->Voxels.CanDraw(drawing))
+  {
+    return this->Voxels.Draw(drawing, owners, owner);
+  }
+  this->Entries.SetOwners(owners, owner);
+  return this->DrawFrom(drawing, true);
 }
 
 std::string RayCells::DrawFrom(const CellDrawing& drawing, bool throughTetrahedra)
@@ -285,6 +299,21 @@ void RayCells::DeactivateTopology()
   {
     buffer->Deactivate();
   }
+  this->Voxels.Deactivate();
+}
+
+void RayCells::SetWalk(const CellDrawing& drawing, vtkShaderProgram* program, int instance)
+{
+  this->SetRays(drawing, program, instance);
+  if (this->Voxels.CanDraw(drawing))
+  {
+    this->Voxels.SetGrid(program, instance);
+    return;
+  }
+  const EyeTetrahedron& eye = *drawing.Options.Eye;
+  this->SetTopology(program, instance);
+  this->SetEye(eye, program, instance);
+  program->SetUniformi(InstanceName("startsAtEye", instance), this->StartsAtEye(eye) ? 1 : 0);
 }
 
 int RayCells::CountTextures() const
@@ -307,7 +336,6 @@ void RayCells::DrawSegments(const CellDrawing& drawing, int from, const EyeTetra
   this->VertexArray->Bind();
   drawing.SetUniforms(program);
   this->SetTopology(program);
-  drawing.Buffers.SetSmallTable(program);
   this->SetRays(drawing, program);
   program->SetUniformi("startsAtEye", from == fromEye);
   this->SetEye(eye, program);

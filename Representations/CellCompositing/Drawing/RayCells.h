@@ -32,6 +32,7 @@
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
+class vtkTextureObject;
 class vtkWindow;
 
 namespace nephoscope
@@ -97,6 +98,9 @@ private:
   bool ReadySegmentProgram(const CellDrawing& drawing, bool throughTetrahedra = false);
   /** The walk as one of several in a shader (ShaderInstance.h). */
   std::string MediumShader(const CellDrawing& drawing, int instance) const;
+  void SetWalk(const CellDrawing& drawing, vtkShaderProgram* program, int instance);
+  /** Those pixels that are one owner's (RayOwners.frag.glsl). */
+  std::string DrawOwned(const CellDrawing& drawing, vtkTextureObject* owners, int owner);
   bool StartsAtEye(const EyeTetrahedron& eye) const;
   void DrawLayers(const CellDrawing& drawing);
   /** From the entries of that number, or from the eye. */

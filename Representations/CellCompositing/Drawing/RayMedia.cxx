@@ -188,8 +188,9 @@ std::string RayMedia::Draw(const std::vector<Medium>& media)
   {
     const CellDrawing& d = *medium.Drawing;
     views.emplace_back(d.View, *d.Options.Eye);
-    drawings.push_back({ d.Window, d.Viewport, views.back().View, d.Options, d.Buffers, d.Contours,
-      d.Depth, d.Peel, d.Range });
+    const bool isMoved = !medium.Rays->Voxels.CanDraw(d);
+    drawings.push_back({ d.Window, d.Viewport, isMoved ? views.back().View : d.View, d.Options,
+      d.Buffers, d.Contours, d.Depth, d.Peel, d.Range });
     moved.push_back({ medium.Rays, &drawings.back() });
   }
   const std::string error = this->DrawFrom(moved);
@@ -248,8 +249,7 @@ bool RayMedia::DrawLonePixels(const std::vector<Medium>& media)
   for (int i = 0; i < count; ++i)
   {
     const Medium& medium = media[static_cast<std::size_t>(i)];
-    medium.Rays->Entries.SetOwners(this->Owners, i);
-    if (!medium.Rays->DrawFrom(*medium.Drawing, true).empty())
+    if (!medium.Rays->DrawOwned(*medium.Drawing, this->Owners, i).empty())
     {
       return false;
     }
@@ -408,13 +408,8 @@ void RayMedia::DrawRound(const std::vector<Medium>& media)
   for (int i = 0; i < static_cast<int>(media.size()); ++i)
   {
     const CellDrawing& drawing = *media[static_cast<std::size_t>(i)].Drawing;
-    RayCells& rays = *media[static_cast<std::size_t>(i)].Rays;
-    const EyeTetrahedron& eye = *drawing.Options.Eye;
     drawing.SetOwnUniforms(program, i);
-    rays.SetTopology(program, i);
-    rays.SetRays(drawing, program, i);
-    rays.SetEye(eye, program, i);
-    program->SetUniformi(InstanceName("startsAtEye", i), rays.StartsAtEye(eye) ? 1 : 0);
+    media[static_cast<std::size_t>(i)].Rays->SetWalk(drawing, program, i);
     program->SetUniformf(InstanceName("mediumPlace", i),
       static_cast<float>(RayGeometry(drawing.View).Distance() - plane));
   }

@@ -14,6 +14,7 @@
 #include "HexahedronContoursShader.h"
 #include "HexahedronWalkShader.h"
 #include "ListedHexahedraShader.h"
+#include "MediumPiecesShader.h"
 #include "NeighborTopologyShader.h"
 #include "PixelRayShader.h"
 #include "RayCellsFragment.h"
@@ -29,7 +30,9 @@
 #include "RayVoxelsFragment.h"
 #include "TetrahedronWalkShader.h"
 #include "VisibleDepthsShader.h"
+#include "VoxelCellsShader.h"
 #include "VoxelContoursShader.h"
+#include "VoxelMediumShader.h"
 #include "VoxelWalkShader.h"
 
 namespace nephoscope
@@ -48,6 +51,23 @@ std::string WithTetrahedra(const std::string& shader, TetrahedronTopology topolo
       { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
       { "PixelRay", PixelRayShader }, { "RayContours", RayContoursShader },
       { "CameraLight", CameraLight::ShaderText() } });
+}
+
+std::string WithVoxels(const std::string& shader)
+{
+  return WithShaderParts(shader,
+    { { "VoxelWalk", VoxelWalkShader }, { "VoxelCells", VoxelCellsShader },
+      { "VoxelContours", VoxelContoursShader }, { "CubicContours", CubicContoursShader },
+      { "CubicPieces", CubicPiecesShader }, { "RayRange", RayRangeShader },
+      { "VisibleDepths", VisibleDepthsShader }, { "RaySegments", RaySegmentsShader },
+      { "CameraLight", CameraLight::ShaderText() } });
+}
+
+// What all media have once.
+std::string WithoutCommonParts(const std::string& shader)
+{
+  return WithShaderParts(
+    shader, { { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
 }
 }
 
@@ -71,19 +91,21 @@ std::string HexahedraShader(bool structured)
 
 std::string VoxelsShader()
 {
-  return WithShaderParts(RayVoxelsFragment,
-    { { "VoxelWalk", VoxelWalkShader }, { "VoxelContours", VoxelContoursShader },
-      { "CubicContours", CubicContoursShader }, { "CubicPieces", CubicPiecesShader },
-      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "RaySegments", RaySegmentsShader }, { "CameraLight", CameraLight::ShaderText() } });
+  return WithVoxels(RayVoxelsFragment);
 }
 
 std::string ShaderOfMedium(TetrahedronTopology topology)
 {
   const std::string walk = RayCellsFragment;
   const std::string text = walk.substr(0, walk.find("void main()")) + RayMediumShader;
-  return WithShaderParts(WithTetrahedra(text, topology),
-    { { "RayEntry", "" }, { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
+  return WithoutCommonParts(WithShaderParts(WithTetrahedra(text, topology),
+    { { "RayEntry", "" }, { "MediumPieces", MediumPiecesShader } }));
+}
+
+std::string ShaderOfVoxelMedium()
+{
+  return WithoutCommonParts(
+    WithVoxels(WithShaderParts(VoxelMediumShader, { { "MediumPieces", MediumPiecesShader } })));
 }
 
 } // namespace nephoscope

@@ -26,8 +26,11 @@ std::string TetrahedraShader(TetrahedronTopology topology);
 std::string HexahedraShader(bool structured);
 /** From cell to cell of a grid with evenly spaced points. */
 std::string VoxelsShader();
-/** The first as one of several media in a shader, without what all media have in common. */
+///@{
+/** The first and the last as one of several media in a shader, without what all have in common. */
 std::string ShaderOfMedium(TetrahedronTopology topology);
+std::string ShaderOfVoxelMedium();
+///@}
 
 } // namespace nephoscope
 

@@ -9,6 +9,7 @@
 #include "ContourBuffers.h"
 #include "RayGeometry.h"
 #include "RayShaders.h"
+#include "ShaderInstance.h"
 #include "ShaderText.h"
 #include "VolumePeel.h"
 
@@ -31,10 +32,13 @@ namespace nephoscope
 {
 namespace
 {
-std::string VoxelShader(const CellDrawing& drawing)
+constexpr int maximumSteps = 1 << 16;
+
+std::string VoxelShader(const CellDrawing& drawing, bool hasOwners)
 {
   return SpecializedShader(VoxelsShader(),
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() +
+      ShaderConstant("hasOwners", hasOwners) +
       ShaderConstant("trilinear", drawing.Options.Trilinear));
 }
 
@@ -140,30 +144,48 @@ bool RayVoxels::CanDraw(const CellDrawing& drawing) const
     !drawing.Buffers.HasLayers();
 }
 
-void RayVoxels::SetGrid(vtkShaderProgram* program)
+std::string RayVoxels::MediumShader(const CellDrawing& drawing, int instance) const
 {
+  const std::string constants = drawing.MediumConstants() +
+    ShaderConstant("trilinear", drawing.Options.Trilinear) +
+    "const int mediumNumber = " + std::to_string(instance) + ";\n";
+  return ShaderInstance(SpecializedShader(ShaderOfVoxelMedium(), constants), instance);
+}
+
+void RayVoxels::SetGrid(vtkShaderProgram* program, int instance)
+{
+  const auto name = [=](const char* uniform) { return InstanceName(uniform, instance); };
   const int stride[3] = { 1, this->Grid.Size[0], this->Grid.Size[0] * this->Grid.Size[1] };
   float low[3], high[3];
   std::copy(this->Box.Low, this->Box.Low + 3, low);
   std::copy(this->Box.High, this->Box.High + 3, high);
-  program->SetUniform1iv("gridStride", 3, stride);
-  program->SetUniform3f("boxLow", low);
-  program->SetUniform3f("boxHigh", high);
-  program->SetUniformi("oddOffset", this->Grid.OddOffset & 1);
+  program->SetUniformi(name("maximumSteps"), maximumSteps);
+  program->SetUniform1iv(name("gridStride"), 3, stride);
+  program->SetUniform3f(name("boxLow"), low);
+  program->SetUniform3f(name("boxHigh"), high);
+  program->SetUniformi(name("oddOffset"), this->Grid.OddOffset & 1);
   vtkNew<vtkMatrix4x4> toNumbers;
   toNumbers->DeepCopy(this->Lattice.ToNumbers.data());
   toNumbers->Transpose(); // as OpenGL wants it
-  program->SetUniformMatrix("toNumbers", toNumbers);
-  program->SetUniformi("squares", this->Squares.Activate());
-  if (program->IsUniformUsed("opacitySquares"))
+  program->SetUniformMatrix(name("toNumbers"), toNumbers);
+  program->SetUniformi(name("squares"), this->Squares.Activate());
+  if (program->IsUniformUsed(name("opacitySquares")))
   {
-    program->SetUniformi("opacitySquares", this->OpacitySquares.Activate());
+    program->SetUniformi(name("opacitySquares"), this->OpacitySquares.Activate());
   }
-  if (program->IsUniformUsed("contourSquares"))
+  if (program->IsUniformUsed(name("contourSquares")))
   {
-    program->SetUniformi("contourSquares", this->ContourSquares.Activate());
+    program->SetUniformi(name("contourSquares"), this->ContourSquares.Activate());
   }
-  program->SetUniformi("clearDistances", this->ClearDistances.Activate());
+  program->SetUniformi(name("clearDistances"), this->ClearDistances.Activate());
+}
+
+void RayVoxels::Deactivate()
+{
+  this->Squares.Deactivate();
+  this->OpacitySquares.Deactivate();
+  this->ContourSquares.Deactivate();
+  this->ClearDistances.Deactivate();
 }
 
 void RayVoxels::SetRays(vtkShaderProgram* program, const SceneView& view)
@@ -176,11 +198,10 @@ void RayVoxels::SetRays(vtkShaderProgram* program, const SceneView& view)
   program->SetUniform4f("eyeVC", eye);
 }
 
-std::string RayVoxels::Draw(const CellDrawing& drawing)
+std::string RayVoxels::Draw(const CellDrawing& drawing, vtkTextureObject* owners, int owner)
 {
-  constexpr int maximumSteps = 1 << 16;
   vtkShaderProgram* program = drawing.Window->GetShaderCache()->ReadyShaderProgram(
-    RayCellsVertex, VoxelShader(drawing).c_str(), "");
+    RayCellsVertex, VoxelShader(drawing, owners != nullptr).c_str(), "");
   if (!program)
   {
     return "the shaders did not compile";
@@ -190,19 +211,24 @@ std::string RayVoxels::Draw(const CellDrawing& drawing)
   state->vtkglDepthMask(GL_FALSE);
   this->VertexArray->Bind();
   drawing.SetUniforms(program);
-  drawing.Buffers.SetSmallTable(program);
   this->SetGrid(program);
   this->SetRays(program, drawing.View);
-  program->SetUniformi("maximumSteps", maximumSteps);
+  if (owners)
+  {
+    owners->Activate();
+    program->SetUniformi("pixelOwners", owners->GetTextureUnit());
+    program->SetUniformf("owner", static_cast<float>(owner));
+  }
   {
     const OnlyInRanges ranges(state, drawing.Peel);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
   this->VertexArray->Release();
-  this->Squares.Deactivate();
-  this->OpacitySquares.Deactivate();
-  this->ContourSquares.Deactivate();
-  this->ClearDistances.Deactivate();
+  this->Deactivate();
+  if (owners)
+  {
+    owners->Deactivate();
+  }
   drawing.Finish();
   return std::string();
 }

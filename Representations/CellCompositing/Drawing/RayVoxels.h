@@ -24,6 +24,7 @@
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
+class vtkTextureObject;
 class vtkWindow;
 
 namespace nephoscope
@@ -41,14 +42,23 @@ public:
   std::string UploadScalars(vtkOpenGLRenderWindow* window, const CellGeometry& geometry);
   std::string UploadContoured(
     vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const std::vector<float>& scalars);
-  /** Draws into the bound framebuffer, which holds a transparent image. */
-  std::string Draw(const CellDrawing& drawing);
+  /**
+   * Draws into the bound framebuffer, which holds a transparent image. With owners of pixels, only
+   * those of one of them.
+   */
+  std::string Draw(const CellDrawing& drawing, vtkTextureObject* owners = nullptr, int owner = 0);
 
   bool CanDraw(const CellDrawing& drawing) const;
+
+  ///@{
+  /** The walk as one of several in a shader (ShaderInstance.h), and its uniforms. */
+  std::string MediumShader(const CellDrawing& drawing, int instance) const;
+  void SetGrid(vtkShaderProgram* program, int instance = -1);
+  ///@}
+  void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  void SetGrid(vtkShaderProgram* program);
   void SetRays(vtkShaderProgram* program, const SceneView& view);
 
   ChessboardGrid Grid;

@@ -90,6 +90,13 @@ void startSegments(float opticalScale)
   startSlices();
 }
 
+// Fraction of the segment after which a scalar leaves its interval at this end; 2 if it does not.
+float leaveAt(float end, bool up, float front, float back)
+{
+  bool leaves = up ? end < back : end > back;
+  return leaves ? clamp((end - front) / (back - front), 0.0, 1.0) : 2.0;
+}
+
 // What is behind adds less than 0.003/255.
 bool isOpaque()
 {
@@ -157,13 +164,6 @@ float opacityAt(OpacityInterval interval, float s)
 {
   float t = (s - interval.low) / (interval.high - interval.low);
   return mix(interval.values.x, interval.values.y, clamp(t, 0.0, 1.0));
-}
-
-// Fraction of the segment after which a scalar leaves its interval at this end; 2 if it does not.
-float leaveAt(float end, bool up, float front, float back)
-{
-  bool leaves = up ? end < back : end > back;
-  return leaves ? clamp((end - front) / (back - front), 0.0, 1.0) : 2.0;
 }
 
 // The scalars of colour and opacity go linearly from `front` to `back` over an optical length: cut wherever either crosses a node.
