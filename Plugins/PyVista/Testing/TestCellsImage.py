@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of nephoscope.add_cells in a plotter against closed forms: transparency exp(-extinction * length)."""
 import os
-import re
-import textwrap
 import unittest
+import warnings
 from pathlib import Path
 
 import nephoscope
@@ -136,25 +135,75 @@ class Picture(unittest.TestCase):
 
 
 class Translucent(unittest.TestCase):
-    """A red sheet of opacity 1/2 in the middle of a white cube of optical depth 2: the closed form, in the default theme."""
+    """A red sheet of opacity 1/2 in the middle of a white cube of optical depth 2, with nothing set: the closed form, in the default theme."""
 
-    def test_recipe_of_the_documentation(self):
-        page = Path(os.environ["NEPHOSCOPE_DATA"]).parent / "Documentation" / "pyvista.md"
-        recipe = textwrap.dedent(re.search(r"<!-- snippet: translucent -->\s*?\n *```python\n(.*?)```", page.read_text(), re.DOTALL)[1])
+    def setUp(self):
         half = 1 - np.exp(-1)
-        expected = half + (1 - half) * (0.5 * np.array([1, 0, 0]) + 0.5 * half)
-        for add in (nephoscope.add_cells, nephoscope.add_splats):
-            plotter = pyvista.Plotter(off_screen=True, window_size=(80, 80))
-            plotter.background_color = "black"
-            add(plotter, cube(9), "one", cmap=["white", "white"], opacity=1.0, opacity_unit_distance=0.5, show_scalar_bar=False)
-            plotter.add_mesh(pyvista.Plane(center=(0.5, 0.5, 0.5), i_size=3, j_size=3), color="red", opacity=0.5, lighting=False)
-            exec(recipe, {"plotter": plotter})
-            plotter.enable_parallel_projection()
-            plotter.view_xy()
-            middle = plotter.screenshot()[36:44, 36:44, :3].mean(axis=(0, 1)) / 255
-            plotter.close()
-            with self.subTest(add.__name__):
-                np.testing.assert_allclose(middle, expected, atol=0.02 if add is nephoscope.add_cells else 0.06)
+        self.sheet_in_the_middle = half + (1 - half) * (0.5 * np.array([1, 0, 0]) + 0.5 * half)
+        self.cube_over_the_sheet = 1 - np.exp(-2) + np.exp(-2) * 0.5 * np.array([1, 0, 0])
+
+    def plotter_with(self, *parts, shape=(1, 1)):
+        plotter = pyvista.Plotter(off_screen=True, window_size=(80 * shape[1], 80), shape=shape)
+        self.addCleanup(plotter.close)
+        plotter.background_color = "black"
+        for part in parts:
+            part(plotter)
+        return plotter
+
+    @staticmethod
+    def cells(plotter, add=nephoscope.add_cells):
+        add(plotter, cube(9), "one", cmap=["white", "white"], opacity=1.0, opacity_unit_distance=0.5, show_scalar_bar=False)
+
+    @staticmethod
+    def sheet(plotter):
+        return plotter.add_mesh(pyvista.Plane(center=(0.5, 0.5, 0.5), i_size=3, j_size=3), color="red", opacity=0.5, lighting=False)
+
+    @staticmethod
+    def splats(plotter):
+        Translucent.cells(plotter, nephoscope.add_splats)
+
+    def middle(self, plotter, column=40):
+        plotter.enable_parallel_projection()
+        plotter.view_xy()
+        return plotter.screenshot()[36:44, column - 4:column + 4, :3].mean(axis=(0, 1)) / 255
+
+    def test_orders_of_adding(self):
+        for medium, tolerance in ((self.cells, 0.02), (self.splats, 0.06)):
+            for parts in ((medium, self.sheet), (self.sheet, medium)):
+                with self.subTest(parts), warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    np.testing.assert_allclose(self.middle(self.plotter_with(*parts)), self.sheet_in_the_middle, atol=tolerance)
+
+    def test_meshes_that_become_translucent(self):
+        plotter = self.plotter_with(self.cells)
+        actor = self.sheet(plotter)
+        actor.prop.opacity = 1
+        plotter.view_xy()
+        plotter.screenshot()
+        self.assertFalse(plotter.renderer.GetUseDepthPeeling())
+        actor.prop.opacity = 0.5
+        np.testing.assert_allclose(self.middle(plotter), self.sheet_in_the_middle, atol=0.02)
+
+    def test_views_beside_each_other(self):
+        plotter = self.plotter_with(shape=(1, 2))
+        for column in (0, 1):
+            plotter.subplot(0, column)
+            self.cells(plotter)
+        self.sheet(plotter)
+        np.testing.assert_allclose(self.middle(plotter, 120), self.sheet_in_the_middle, atol=0.02)
+        self.assertEqual([renderer.GetUseDepthPeeling() for renderer in plotter.renderers], [0, 1])
+
+    def test_what_was_turned_off_stays_off(self):
+        plotter = self.plotter_with(self.cells, self.sheet)
+        self.middle(plotter)
+        plotter.renderer.UseDepthPeelingForVolumesOff()
+        with self.assertWarnsRegex(RuntimeWarning, "UseDepthPeelingForVolumesOn"):
+            np.testing.assert_allclose(self.middle(plotter), self.cube_over_the_sheet, atol=0.02)
+
+    def test_without_volumes_nothing_changes(self):
+        plotter = self.plotter_with(self.sheet)
+        plotter.screenshot()
+        self.assertFalse(plotter.renderer.GetUseDepthPeeling())
 
 
 class Media(unittest.TestCase):

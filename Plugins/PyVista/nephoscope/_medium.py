@@ -27,6 +27,7 @@ from ._frames import warn_of_other_frames
 from ._globe_camera import look_at_region
 from ._outliers import warn_of_fill_values
 from ._over_time import densest, values_over_time
+from ._peeling import peel_when_needed
 from ._pipeline import level_of_caller, warn_when_drawing
 from ._settings import MediumMapper
 from ._typing import Numbers
@@ -494,6 +495,7 @@ def add_medium(plotter: pyvista.BasePlotter, mapper: MediumMapper, prop: pyvista
     if actor_options.get("reset_camera") is None and user_matrix is None and not plotter.renderer.camera.is_set:
         look_at_region(plotter, mapper.dataset)
     warn_when_exported(plotter)
+    peel_when_needed(plotter)
     plotter.mapper = mapper  # as in add_volume: later calls without a mapper refer to the last one added
     if plotter.theme.show_scalar_bar if show_scalar_bar is None else show_scalar_bar:
         _add_bar(plotter, mapper, title, title if words is None else words, bar_table, scalar_bar_args or {})
