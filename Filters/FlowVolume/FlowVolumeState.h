@@ -52,6 +52,9 @@ struct StreakState
   std::unique_ptr<StreakVolume> Volume; // null before the start time
   Vector3 Normal{};
   double PolygonEdgeLength = 0.0;
+  double TimeUnit = 1.0;     // of the pipeline, in s, if the data tell it
+  bool WasStill = false;     // nothing has flowed at the last steps read,
+  double StillUntil = 0.0;   // up to this time, in s
   MissingVelocities Missing; // of the time step read that has most of them
   double MissingTime = 0.0;  // of that, in the unit of the pipeline
   bool IsCoarser = false;    // polygon or time step, than asked for
@@ -75,6 +78,7 @@ struct FlowVolumeState : SeriesReading
   vtkMTimeType ToldOfNoData = 0;
   vtkMTimeType ToldOfMissing = 0;
   vtkMTimeType ToldOfObstacles = 0;
+  vtkMTimeType ToldOfTimeScale = 0;
 };
 }
 

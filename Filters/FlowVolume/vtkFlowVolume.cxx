@@ -53,7 +53,7 @@ vtkCxxSetObjectMacro(vtkFlowVolume, Controller, vtkMultiProcessController);
 namespace
 {
 // There is no flow anywhere in the data of this process.
-bool IsStill(const nephoscope::FlowField& field)
+bool IsStillHere(const nephoscope::FlowField& field)
 {
   const auto sets = nephoscope::DataSetsOf(field.Data);
   return std::all_of(sets.begin(), sets.end(), [&](vtkDataSet* set) {
@@ -131,7 +131,7 @@ std::shared_ptr<const nephoscope::FlowField> vtkFlowVolume::MakeField(vtkDataObj
   if (!exchange.AnyTrue(!sets.empty()))
   {
     vtkErrorMacro("The input has no cells, so there is no flow. Connect a dataset with cells."
-      << nephoscope::RemedyFor(input));
+      << nephoscope::RemedyFor(input) << this->NameOfTimeStep());
     return nullptr;
   }
   nephoscope::VelocityArray velocity;
@@ -240,11 +240,16 @@ bool vtkFlowVolume::MakeRegularPolygon(const nephoscope::FlowField& field,
   return true;
 }
 
+bool vtkFlowVolume::IsStill(const nephoscope::FlowField& field) const
+{
+  return this->Exchange().AllTrue(IsStillHere(field));
+}
+
 void vtkFlowVolume::ReportZeroVelocity(const nephoscope::FlowField& field, const std::string& where)
 {
-  const bool everywhere = this->Exchange().AllTrue(IsStill(field));
+  const bool everywhere = this->IsStill(field);
   const char* throughout = this->HasTimeSteps()
-    ? "everywhere at the first time: choose a later StartTime, or switch NormalToFlow off."
+    ? "everywhere at all times from StartTime on, so no smoke moves. Choose another array of velocities, or an earlier StartTime."
     : "everywhere, so no smoke moves. Choose another array of velocities, or another time.";
   vtkErrorMacro("The flow (array '" << field.Velocity.Name << "') is zero "
                                     << (everywhere ? throughout : where));
@@ -337,7 +342,8 @@ bool vtkFlowVolume::CheckSettings()
     { "MinimumEdgeLength", this->MinimumEdgeLength, "never merged" },
     { "MaximumAreaRatio", this->MaximumAreaRatio, "any" },
     { "MaximumDivergence", this->MaximumDivergence, "any" },
-    { "ObstacleSize", this->ObstacleSize, "automatic" } };
+    { "ObstacleSize", this->ObstacleSize, "automatic" },
+    { "TimeScale", this->TimeScale, "the unit that the data tell, or seconds" } };
   for (const Setting& setting : settings)
   {
     if (!(setting.Value >= 0.0) || !std::isfinite(setting.Value))
@@ -368,13 +374,6 @@ bool vtkFlowVolume::CheckSettings()
   {
     vtkErrorMacro("InitialDensity (" << this->InitialDensity << ") and StartTime ("
                                      << this->StartTime << ") must be finite numbers.");
-    return false;
-  }
-  if (!(this->TimeScale > 0.0) || !std::isfinite(this->TimeScale))
-  {
-    vtkErrorMacro(
-      "TimeScale is " << this->TimeScale
-                      << "; it is the number of seconds in a unit of time and must be positive.");
     return false;
   }
   return true;

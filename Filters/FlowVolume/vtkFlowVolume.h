@@ -305,7 +305,8 @@ public:
    * up to the requested time (the last one, if none is requested). Going forward in time, every
    * time step is read once, and two are in memory; going back or changing a setting starts again.
    * Between time steps the velocity is linear in time. The generating polygon is that of the start
-   * time. Ignored, with a warning, if the input has fewer than two time steps.
+   * time, or of the first time step thereafter with any flow. Ignored, with a warning, if the input
+   * has fewer than two time steps.
    *
    * Every TimeStep seconds a layer is released, and all layers move with the flow. Edges of
    * tetrahedra that become longer than MaximumEdgeLength (and than those of the polygon's
@@ -329,8 +330,10 @@ public:
 
   ///@{
   /**
-   * Unsteady: seconds per unit of the pipeline's time, 3600 for time steps in hours. Greater than
-   * 0; default 1.
+   * Unsteady: seconds per unit of the pipeline's time, 3600 for time steps in hours. 0 (default):
+   * of the unit in the field array `time_units` of the first time step, as readers of NetCDF files
+   * write it ("hours since 2011-10-11"), otherwise 1. A warning says if the flow hardly moves in
+   * the whole series, or crosses the data several times between two time steps.
    */
   vtkSetMacro(TimeScale, double);
   vtkGetMacro(TimeScale, double);
@@ -428,6 +431,7 @@ private:
   bool MakeGivenPolygon(const nephoscope::FlowField& field,
     const nephoscope::VelocityField& velocity, double time, vtkPolyData* given, double edge,
     nephoscope::PolygonMesh& polygon);
+  bool IsStill(const nephoscope::FlowField& field) const;
   void ReportZeroVelocity(const nephoscope::FlowField& field, const std::string& where);
   bool FindDirection(const nephoscope::FlowField& field, const nephoscope::VelocityField& velocity,
     double time, const std::array<double, 3>& center, std::array<double, 3>& direction);
@@ -465,6 +469,8 @@ private:
     vtkInformation* outputInformation);
   bool ReadTimeStep(vtkDataObject* input);
   bool BeginStreak(vtkPolyData* given);
+  void WarnOfTimeScale(double speed);
+  void WriteBounds(vtkUnstructuredGrid* output) const;
   bool AdvanceStreak();
   bool HasTimeSteps() const;
   std::string NameOfTimeStep() const;
@@ -506,7 +512,7 @@ private:
   double Tolerance = 1e-6;
   bool Unsteady = false;
   double StartTime = VTK_DOUBLE_MIN;
-  double TimeScale = 1.0;
+  double TimeScale = 0.0;
   double InitialDensity = 1.0;
   vtkIdType MaximumNumberOfTetrahedra = moderateNumberOfTetrahedra;
 

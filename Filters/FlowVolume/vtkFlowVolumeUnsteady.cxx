@@ -12,12 +12,16 @@
 
 #include "ArrayBlend.h"
 #include "ChangeOfInput.h"
+#include "DataSets.h"
 #include "FlowVolumeExchange.h"
 #include "FlowVolumeState.h"
+#include "SmokeData.h"
 #include "SmokeOutput.h"
 #include "TemporalField.h"
+#include "TimeUnit.h"
 #include "WholeVolume.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMath.h"
@@ -123,19 +127,21 @@ std::string vtkFlowVolume::NameOfTimeStep() const
   std::ostringstream name;
   if (this->HasTimeSteps())
   {
-    name << " This is time step " << this->State->Next << ", at " << this->State->NextTime() << ".";
+    name << " This is time step " << this->State->Next << ", at " << this->State->NextTime()
+         << ": leave it out, or choose a later StartTime.";
   }
   return name.str();
 }
 
 double vtkFlowVolume::Seconds(double time) const
 {
-  return (time - this->State->Times.front()) * this->TimeScale;
+  const double scale = this->TimeScale > 0.0 ? this->TimeScale : this->State->Streak.TimeUnit;
+  return (time - this->State->Times.front()) * scale;
 }
 
 double vtkFlowVolume::StartSeconds() const
 {
-  return std::max(0.0, this->Seconds(this->StartTime));
+  return std::max(this->State->Streak.StillUntil, this->Seconds(this->StartTime));
 }
 
 double vtkFlowVolume::RequestedSeconds() const
@@ -228,6 +234,7 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
   if (this->RequestedSeconds() <= this->StartSeconds())
   {
     this->WarnOfNoSmokeYet();
+    this->WriteBounds(output);
   }
   else if (streak.Volume)
   {
@@ -250,16 +257,58 @@ void vtkFlowVolume::WarnOfNoSmokeYet()
   {
     return;
   }
-  const double start = std::max(this->StartTime, state.Times.front());
+  const auto read = static_cast<std::size_t>(state.Streak.LastRead);
+  const bool isStill = state.Streak.WasStill && !state.Streak.Volume;
+  const double start = isStill ? state.Times[read] : std::max(this->StartTime, state.Times.front());
   std::ostringstream later;
   if (state.Times.back() > start)
   {
     later << ", such as " << state.Times.back();
   }
   vtkWarningMacro("There is no smoke at time "
-    << state.Requested << ": unsteady smoke leaves the generating polygon from time " << start
-    << " on, and needs time to grow. Play the animation, choose a later time" << later.str()
-    << ", or switch Unsteady off.");
+    << state.Requested << ": "
+    << (isStill ? "the flow is zero everywhere up to time "
+                : "unsteady smoke leaves the generating polygon from time ")
+    << start << (isStill ? "" : " on, and needs time to grow")
+    << ". Play the animation, choose a later time" << later.str() << ", or switch Unsteady off.");
+}
+
+// Where the smoke will be, for cameras that are set before there is any.
+void vtkFlowVolume::WriteBounds(vtkUnstructuredGrid* output) const
+{
+  const auto sets = nephoscope::DataSetsOf(this->State->Streak.Second->Data);
+  double bounds[6];
+  this->Exchange().BoundsOf(sets).GetBounds(bounds);
+  nephoscope::PutBoundsToCome(output, bounds);
+}
+
+// Times may be in another unit than is assumed. A wind that begins later is too slow at first.
+void vtkFlowVolume::WarnOfTimeScale(double speed)
+{
+  constexpr double little = 0.01; // of the diagonal: a quarter of the default width of the polygon
+  constexpr double much = 8.0;
+  auto& state = *this->State;
+  const double diagonal = state.Streak.Second->Diagonal;
+  const double seconds = this->Seconds(state.Times.back());
+  const double way = speed * seconds;
+  const double inStep = way / static_cast<double>(state.Times.size() - 1);
+  const bool isLittle = way<little * diagonal, isMuch = inStep> much * diagonal;
+  if (!(way > 0.0) || (!isLittle && !isMuch) || !this->IsToldFirst(state.ToldOfTimeScale))
+  {
+    return;
+  }
+  std::ostringstream moves;
+  isLittle ? moves << "moves by only " << way << " (" << 100.0 * way / diagonal
+                   << " % of the diagonal of the data) in the " << seconds
+                   << " seconds from the first time step to the last"
+           : moves << "crosses the data " << std::round(inStep / diagonal)
+                   << " times between two time steps";
+  vtkWarningMacro("With its speed of "
+    << speed << ", the flow at the generating polygon " << moves.str() << ". TimeScale is "
+    << seconds / (state.Times.back() - state.Times.front())
+    << " s per unit of time: set it to 3600 for time steps in hours, to 86400 for days, to "
+       "1 for seconds. If the coordinates have another unit of length than the velocity, convert "
+       "them.");
 }
 
 void vtkFlowVolume::WarnOfNoDataYet()
@@ -316,6 +365,12 @@ bool vtkFlowVolume::ReadTimeStep(vtkDataObject* input)
   {
     return true;
   }
+  if (streak.LastRead < 0)
+  {
+    const auto units = this->Exchange().Gather({ nephoscope::SecondsInUnitOfTime(input) });
+    const double told = *std::max_element(units.begin(), units.end()); // a rank may have no data
+    streak.TimeUnit = told > 0.0 ? told : 1.0;
+  }
   streak.Second = this->MakeField(input);
   streak.LastRead = this->State->Next;
   const auto missing = streak.Second ? this->CountMissing(*streak.Second) : streak.Missing;
@@ -342,14 +397,24 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
   {
     return true;
   }
+  const bool isLast = read == this->Seconds(state.Times.back());
+  const bool isStill =
+    this->IsStill(*streak.Second) && (!streak.First || this->IsStill(*streak.First));
+  if (isStill && !isLast)
+  {
+    streak.WasStill = true;
+    streak.StillUntil = read;
+    return true;
+  }
+  const double placed = streak.WasStill ? read : start; // when the polygon is turned to the flow
   const auto velocity = this->StreakVelocity();
   nephoscope::PolygonMesh polygon;
-  if (!this->MakePolygon(*streak.Second, *velocity, start, given, polygon))
+  if (!this->MakePolygon(*streak.Second, *velocity, placed, given, polygon))
   {
     return false;
   }
   if (!this->CheckPlace(
-        *streak.Second, polygon, nephoscope::PolygonFlow(*velocity, polygon, start)))
+        *streak.Second, polygon, nephoscope::PolygonFlow(*velocity, polygon, placed)))
   {
     return false;
   }
@@ -371,11 +436,12 @@ bool vtkFlowVolume::BeginStreak(vtkPolyData* given)
   }
   const auto coarser = [&](double edge) {
     nephoscope::PolygonMesh remade;
-    this->TriangulatePolygon(*streak.Second, *velocity, start, given, edge, remade);
+    this->TriangulatePolygon(*streak.Second, *velocity, placed, given, edge, remade);
     return remade;
   };
   streak.IsCoarser = nephoscope::FitReleases(polygon, settings, followed, coarser);
-  const nephoscope::PolygonFlow flow(*velocity, polygon, start);
+  const nephoscope::PolygonFlow flow(*velocity, polygon, placed);
+  this->WarnOfTimeScale(streak.WasStill ? 0.0 : flow.MeanSpeed);
   streak.PolygonEdgeLength = flow.LongestEdge;
   // Edges of the polygon are not divided, so tetrahedra beside them cannot get shorter edges.
   settings.MaximumEdgeLength = this->MaximumEdgeLength > 0.0

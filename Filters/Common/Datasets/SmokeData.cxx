@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nephoscope
@@ -20,6 +21,7 @@ namespace nephoscope
 namespace
 {
 constexpr const char* initialDensityName = "InitialDensity";
+constexpr const char* boundsToComeName = "BoundsToCome";
 
 // That of the youngest point; VTK_DOUBLE_MAX without ages.
 double LeastAge(vtkDataSet* cells)
@@ -88,6 +90,24 @@ double InitialSmokeDensity(vtkDataSet* cells)
   vtkDataArray* array = cells ? cells->GetFieldData()->GetArray(initialDensityName) : nullptr;
   const double density = array && array->GetNumberOfValues() == 1 ? array->GetComponent(0, 0) : 0.0;
   return density > 0.0 && std::isfinite(density) ? density : 0.0;
+}
+
+void PutBoundsToCome(vtkDataSet* smoke, const double bounds[6])
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(boundsToComeName);
+  array->SetNumberOfValues(6);
+  std::copy_n(bounds, 6, array->GetPointer(0));
+  smoke->GetFieldData()->AddArray(array);
+}
+
+void FindBoundsToCome(vtkDataObject* smoke, double bounds[6])
+{
+  vtkDataArray* array = smoke ? smoke->GetFieldData()->GetArray(boundsToComeName) : nullptr;
+  for (int i = 0; array && array->GetNumberOfValues() == 6 && i < 6; ++i)
+  {
+    bounds[i] = array->GetComponent(i, 0);
+  }
 }
 
 double WidthOfSmoke(vtkDataSet* cells, vtkMultiProcessController* ranks)

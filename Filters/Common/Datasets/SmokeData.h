@@ -10,6 +10,7 @@
 #include "vtkNephoscopeFiltersCommonModule.h" // for export macro
 
 class vtkDataArray;
+class vtkDataObject;
 class vtkDataSet;
 class vtkMultiProcessController;
 
@@ -39,6 +40,13 @@ VTKNEPHOSCOPEFILTERSCOMMON_EXPORT void PutInitialDensity(vtkDataSet* cells, doub
  * the data do not tell.
  */
 VTKNEPHOSCOPEFILTERSCOMMON_EXPORT double InitialSmokeDensity(vtkDataSet* cells);
+
+/**
+ * The bounds of the data that smoke will be in, in the field data of smoke that has no cells yet. A
+ * camera that is set then sees what comes. Without them `bounds` stay as they are.
+ */
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT void PutBoundsToCome(vtkDataSet* smoke, const double bounds[6]);
+VTKNEPHOSCOPEFILTERSCOMMON_EXPORT void FindBoundsToCome(vtkDataObject* smoke, double bounds[6]);
 
 /**
  * Diameter of a disc with the extent of the youngest layer of the smoke, which after vtkFlowVolume

@@ -7,7 +7,7 @@ import numpy as np
 from nephoscope_testing import threads
 from nephoscope_testing.flow import flow_volume, update
 from nephoscope_testing.time_series import TimeSeries
-from vtkmodules.vtkCommonCore import vtkWeakReference
+from vtkmodules.vtkCommonCore import vtkStringArray, vtkWeakReference
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as SDDP
 
@@ -130,6 +130,43 @@ class Threads(unittest.TestCase):
         self.assertEqual(len(threads.results(__file__, "digest(0.97, PolygonEdgeLength=0.02)")), 1)
 
 
+class Hours(TimeSeries):
+    """The unit of its times is as readers of NetCDF files write it."""
+    unit = "hours since 2011-10-11 00:00:00"
+
+    def RequestData(self, request, inputs, outputs):
+        done = super().RequestData(request, inputs, outputs)
+        unit = vtkStringArray()
+        unit.SetName("time_units")
+        unit.InsertNextValue(self.unit)
+        vtkImageData.GetData(outputs).GetFieldData().AddArray(unit)
+        return done
+
+
+class TimeUnits(unittest.TestCase):
+    def age(self, unit, speed, **settings):
+        source = Hours(TIMES, lambda p, t: (0, 0, speed))
+        source.unit = unit
+        smoke, messages = update(flow_volume(source, **{**SETTINGS, "TimeStep": 0, "MaximumEdgeLength": 0, **settings}))
+        return smoke.point_array("Age").max() if len(smoke.cells) else 0, messages
+
+    def test_that_the_data_tell(self):
+        for unit, seconds in (("Hours since 2011-10-11", 3600), ("h", 3600), ("days since 1900-01-01", 86400), ("minutes since 0", 60), ("seconds since 0", 1), ("s", 1),
+                              ("msecs since 0", 1e-3), ("fortnights since 0", 1), ("", 1)):
+            age, messages = self.age(unit, 0.5 / seconds)
+            self.assertEqual(messages, [], unit)
+            self.assertAlmostEqual(age / seconds, 1, 1)
+        age, messages = self.age("hours since 0", 0.5 / 60, TimeScale=60)  # as set, whatever the data tell
+        self.assertEqual(messages, [])
+        self.assertAlmostEqual(age / 60, 1, 1)
+
+    def test_that_is_not_told(self):
+        for speed, words in ((0.5 / 3600, "moves by only 0.00013.* in the 1 seconds from the first time step to the last. TimeScale is 1 s per unit of time: set it to 3600"),
+                             (0.5 * 3600, "crosses the data [0-9]+ times between two time steps. TimeScale is 1 s per unit of time")):
+            messages = self.age("", speed)[1]
+            self.assertRegex(messages[0], words)
+
+
 class BadSeries(unittest.TestCase):
     def expect(self, text, source, cells=0, time=None, **settings):
         smoke, messages = update(flow_volume(source, **{**SETTINGS, **settings}), time)
@@ -156,15 +193,15 @@ class BadSeries(unittest.TestCase):
     def test_settings(self):
         self.expect("StartTime is 2, after the last time step, which is at 1", series(), StartTime=2)
         self.expect("StartTime (nan)", series(), StartTime=np.nan)
-        self.expect("TimeScale is 0", series(), TimeScale=0)
-        self.expect("TimeScale is -1", series(), TimeScale=-1)
+        for wrong in (-1, np.nan, np.inf):
+            self.expect(f"TimeScale is {wrong}; it must be positive, or 0 (the unit that the data tell, or seconds)", series(), TimeScale=wrong)
         self.expect("TimeStep is -0.1", series(), TimeStep=-0.1)
         self.expect("more than a million steps", series(), TimeStep=1e-7)
 
     def test_polygon(self):
         self.expect("outside the data", series(), Center=(5, 0, 0))
         self.expect("outside the data", series(), Center=(5, 0, 0), NormalToFlow=True)
-        self.expect("zero everywhere at the first time", series(velocity=lambda p, t: (0, 0, t)), NormalToFlow=True)
+        self.expect("zero everywhere at all times", series(velocity=lambda p, t: (0, 0, 0)), NormalToFlow=True)
         shear = series(velocity=lambda p, t: p * (0, 0, 1))
         self.expect("zero at the centre", shear, Center=(0, 0, 0), NormalToFlow=True)
 
@@ -177,6 +214,39 @@ class BadSeries(unittest.TestCase):
         smoke, messages = update(made)
         self.assertEqual(messages, [])
         self.assertAlmostEqual(smoke.points[:, 2].max(), 0.5, places=12)
+
+    def test_still_at_first(self):
+        """The polygon waits for a flow that it can face; until then a message says so, once."""
+        def gust(points, time):
+            return (0, 0, max(0, time - 0.5))
+        made = flow_volume(series(velocity=gust), **{**SETTINGS, "NormalToFlow": True})
+        told = [message for time in (0.0, 0.4, 0.5) for message in update(made, time)[1]]
+        self.assertEqual(len(told), 1, told)
+        self.assertRegex(told[0], "no smoke at time 0: the flow is zero everywhere up to time 0. Play the animation")
+        for direct in (False, True):
+            again = flow_volume(series(velocity=gust), **{**SETTINGS, "NormalToFlow": True}) if direct else made
+            smoke, messages = update(again, 1.0)
+            self.assertEqual(messages, [])
+            self.assertAlmostEqual(smoke.points[:, 2].max(), 0.5 ** 2 / 2, places=12)
+
+    def test_no_cells_at_first(self):
+        class Late(TimeSeries):
+            def RequestData(self, request, inputs, outputs):
+                done = super().RequestData(request, inputs, outputs)
+                if self.reads[-1] < 0.2:
+                    vtkImageData.GetData(outputs).Initialize()
+                return done
+        self.expect("This is time step 0, at 0: leave it out, or choose a later StartTime.", Late(TIMES, wind))
+        self.assertGreater(len(update(flow_volume(Late(TIMES, wind), **SETTINGS, StartTime=0.2))[0].cells), 0)
+
+    def test_bounds_at_first(self):
+        """Where the smoke will be: a camera that is set at the first time suits a film."""
+        made = flow_volume(series(), **SETTINGS)
+        smoke, messages = update(made, 0.0)
+        self.assertEqual((len(messages), len(smoke.cells)), (1, 0))
+        told = made.GetOutput().GetFieldData().GetArray("BoundsToCome")
+        self.assertEqual(tuple(told.GetValue(i) for i in range(6)), made.GetInputDataObject(0, 0).GetBounds())
+        self.assertFalse(update(made, 1.0)[0].output.GetFieldData().HasArray("BoundsToCome"))
 
     def test_missing_values_at_a_time(self):
         """The smoke in the hole ends; what comes later does not."""
@@ -221,7 +291,7 @@ class BadSeries(unittest.TestCase):
                 if len(self.reads) > 4:
                     vtkImageData.GetData(outputs).GetPointData().RemoveArray("v")
                 return done
-        self.expect("This is time step 4, at 0.4.", Forgetful(TIMES, wind), Velocity="v")
+        self.expect("This is time step 4, at 0.4:", Forgetful(TIMES, wind), Velocity="v")
         self.expect("no point array 'v'", Forgetful(TIMES, wind), Velocity="v")
 
     def test_source_that_fails_midway(self):

@@ -119,7 +119,8 @@ int vtkPVFlowVolume::RequestData(
   const bool isOther =
     this->IsOtherInput() && std::abs(diagonal - this->Diagonal) > otherData * this->Diagonal;
   this->Diagonal = this->Diagonal > 0.0 && !isOther ? diagonal : this->Diagonal;
-  if (this->FollowData && isOther && this->GetNumberOfInputConnections(1) == 0 &&
+  const bool isUnplaced = this->PlaceRadius == 0.0; // nothing has flowed so far
+  if (this->FollowData && (isOther || isUnplaced) && this->GetNumberOfInputConnections(1) == 0 &&
     this->IsWhereItWasPlaced())
   {
     this->FindPlaceIn(input);

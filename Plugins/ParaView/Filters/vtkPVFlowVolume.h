@@ -5,7 +5,8 @@
  * @brief vtkFlowVolume with an initial position for ParaView's panel
  *
  * The smoke is that of vtkFlowVolume. The polygon stays in fast flow until the user moves it: an
- * update places it again if the bounds of the input have changed otherwise than with the time. On
+ * update places it again if the bounds of the input have changed otherwise than with the time, and
+ * until there is a flow. On
  * several ranks FindPlace must be called on all of them, as ParaView does.
  */
 #ifndef vtkPVFlowVolume_h

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: The Nephoscope authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Smoke over a time series whose data grow: the place of its polygon, its duration and time step, and the period of its puffs are those of the first time, so
-that a film does not jump; unsteady smoke says at its first time that it needs time to grow."""
+that a film does not jump; unsteady smoke says at its first time that it needs time to grow, and a camera that is set then sees where it will be; the first
+wind that blows places the polygon; the data tell the unit of their times."""
 import numpy as np
-
-from PluginTesting import check, listen, load_plugin, new_view, passed, pvs
+from PluginTesting import GFS, check, image, listen, load_plugin, new_view, passed, pvs, save_image
 
 TIMES = [0.0, 1.0, 2.0, 3.0, 4.0]
 INFORMATION = f"""
@@ -121,10 +121,83 @@ def check_unsteady(flow, messages):
     pvs.Delete(view)
 
 
+def shown(view):
+    picture = image(view)
+    save_image(picture, "FlowVolumeTime-" + str(int(view.ViewTime)))
+    return abs(picture - picture[0, 0]).max(axis=2) > 8
+
+
+def check_first_camera(flow, messages):
+    """Set at the first time, where there is no smoke, it looks at the data, and sees the smoke of a film."""
+    view = new_view((120, 120))
+    smoke = pvs.FlowVolume(Input=flow, Unsteady=1)
+    display = pvs.Show(smoke, view)
+    view.ViewTime = TIMES[0]
+    pvs.ResetCamera(view)
+    pvs.Render(view)
+    check(display.Representation == "Cell Compositing" and not shown(view).any(), "the first picture")
+    check(np.allclose(view.CameraFocalPoint, 0.5, atol=0.1) and 1 < view.CameraPosition[2] < 6, f"the camera is at {view.CameraPosition}, and looks at {view.CameraFocalPoint}")
+    view.ViewTime = TIMES[-1]
+    pvs.Render(view)
+    check(shown(view).mean() > 0.01, f"{shown(view).mean():.1%} of the picture show smoke")
+    messages.clear()
+    pvs.Delete(view)
+
+
+def check_still_at_first(messages):
+    """The wind begins after time 2: the polygon is where it blows then, and faces it."""
+    source = pvs.ProgrammableSource(OutputDataSetType="vtkImageData", ScriptRequestInformation=INFORMATION,
+                                    Script=DATA.replace('array.SetName("v")', 'array = numpy_to_vtk(velocity * (time > 2) * (time - 2), deep=True)\narray.SetName("v")'))
+    source.UpdatePipeline(TIMES[0])
+    view = new_view((120, 120))
+    messages.clear()
+    smoke = pvs.FlowVolume(Input=source, Unsteady=1)
+    pvs.Show(smoke, view)
+    for time in TIMES:
+        view.ViewTime = time
+        pvs.Render(view)
+    check(len(messages) == 1 and "the flow is zero everywhere up to time 0" in messages[0], f"before the wind: {messages}")
+    check(smoke.GetDataInformation().GetNumberOfCells() > 100 and place_of(smoke)[3] > 0, f"no smoke from {place_of(smoke)}")
+    check(list(smoke.Center) == [smoke.SMProxy.GetProperty("PlaceCenter").GetElement(i) for i in range(3)], "the panel does not show where the polygon is")
+    messages.clear()
+    pvs.Delete(view)
+
+
+def check_unit_of_times(messages):
+    """Times in hours, as NetCDFReader and Globe Grid tell: the smoke of hours of wind in m/s."""
+    reader = pvs.NetCDFReader(FileName=[GFS], SphericalCoordinates=0)
+    grid = pvs.GlobeGrid(Input=reader)
+    grid.UpdatePipeline()
+    unit = pvs.servermanager.Fetch(pvs.ExtractSubset(Input=grid, VOI=[0, 1] * 3)).GetFieldData().GetAbstractArray("time_units").GetValue(0)
+    check(unit.startswith("hours since"), f"the unit of times of {GFS} is {unit!r}")
+    script = DATA.replace("numpy_to_vtk(velocity, deep=True)", "numpy_to_vtk(velocity / 3600, deep=True)")
+    source = pvs.ProgrammableSource(OutputDataSetType="vtkImageData", ScriptRequestInformation=INFORMATION, Script=script + f"""
+from vtkmodules.vtkCommonCore import vtkStringArray
+unit = vtkStringArray()
+unit.SetName("time_units")
+unit.InsertNextValue({unit!r})
+image.GetFieldData().AddArray(unit)
+""")
+    messages.clear()
+    smoke = pvs.FlowVolume(Input=source, Unsteady=1)
+    ages = {}
+    for scale in (0, 60, 1):
+        smoke.TimeScale = scale
+        pvs.UpdatePipeline(time=0.5, proxy=smoke)
+        ages[scale or 3600] = smoke.CellData["Age"].GetRange()[1]
+    shares = np.array(list(ages.values())) / np.array(list(ages)) / 0.5
+    check((shares > 0.8).all() and (shares <= 1).all(), f"ages by the scale of times: {ages}")
+    told = [text for text in messages if "set it to 3600 for time steps in hours" in text]
+    check(len(told) == len(messages) == 1 and "Time Scale is 1 s" in told[0], f"of units: {messages}")
+
+
 load_plugin()
 messages = listen()
 flow = series()
 check_steady(flow)
 check_much_faster()
 check_unsteady(flow, messages)
+check_first_camera(flow, messages)
+check_still_at_first(messages)
+check_unit_of_times(messages)
 passed()

@@ -46,6 +46,11 @@ class Series(VTKPythonAlgorithmBase):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType=self.first.GetClassName())
         self.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # the failure is raised
 
+    def meshes(self) -> Iterator[pyvista.DataSet]:
+        """Those of all times, in their order, until no more are needed."""
+        yield self.first
+        yield from (dataset(self._read(time), "mesh") for time in self.times[1:])
+
     @contextmanager
     def raising(self) -> Iterator[None]:
         """Raises the exception of the user's function at the end of the block."""

@@ -14,29 +14,20 @@ from ._pipeline import level_of_caller
 
 SHORT = 0.15  # of the diagonal of the data: as in the warning of vtkFlowVolume about smoke that leaves them at once
 MIXED = 0.1  # of the diagonal: a flow that leaves after less crosses the data along an axis that is much shorter than others
-BRIEF, SLOW = 0.05, 0.04  # of the times: of a crossing; of the diagonal: the way in all times, below the default width of the polygon
 UNITS = "longitudes and latitudes in degrees are put into metres by mesh.nephoscope.globe(), kilometres by mesh.scale(1000)"
 
 
-def warn_of_units(smoke: pyvista.DataSet, mesh: Any, name: str, seconds: float | None) -> None:
-    """Warns if `smoke`, of the velocity `name` or the default one, is short, and if the units of `mesh`, or `seconds` from its first to its last time, may be the reason."""
+def warn_of_units(smoke: pyvista.DataSet, mesh: Any, name: str) -> None:
+    """Warns if `smoke`, of the velocity `name` or the default one, is short, and if the units of `mesh` may be the reason."""
     bounds = np.array([block.bounds for _, block in named_blocks(mesh) if block.n_points]).reshape(-1, 3, 2)
     size, wind = bounds[:, :, 1].max(axis=0) - bounds[:, :, 0].min(axis=0), _mean_wind(mesh, name)
     diagonal, speed = float(np.linalg.norm(size)), float(np.linalg.norm(wind))
     if speed == 0 or not np.isfinite(diagonal) or smoke.n_cells > 0 and smoke.length > SHORT * diagonal:
         return
     crossing = min((extent / along for extent, along in zip(size, wind) if extent > 0 and along > 0), default=np.inf)
-    across = f"At its mean speed of {speed:.3g} the flow crosses the data, which extend over {' x '.join(f'{extent:.3g}' for extent in size)}, in {crossing:.3g} seconds"
     if crossing * speed < MIXED * diagonal:
-        words = f"{across}. The smoke is short if the coordinates have different units, or another unit of length than the velocity: {UNITS}."
-    elif seconds is not None and crossing < BRIEF * seconds:
-        words = (f"{across}, but there are {seconds:.3g} seconds from the first of times to the last. The coordinates may have another unit of length than the "
-                 f"velocity: {UNITS}. Otherwise choose an earlier time.")
-    elif seconds is not None and seconds * speed < SLOW * diagonal:
-        words = f"{across}, but there are only {seconds:.3g} seconds from the first of times to the last: for times in hours pass time_scale=3600."
-    else:
-        return
-    warnings.warn(words, RuntimeWarning, stacklevel=level_of_caller())
+        warnings.warn(f"At its mean speed of {speed:.3g} the flow crosses the data, which extend over {' x '.join(f'{extent:.3g}' for extent in size)}, in {crossing:.3g} seconds. "
+                      f"The smoke is short if the coordinates have different units, or another unit of length than the velocity: {UNITS}.", RuntimeWarning, stacklevel=level_of_caller())
 
 
 def _mean_wind(mesh: Any, name: str) -> np.ndarray:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import datetime
-from typing import Any, Literal
+from typing import Any, Iterable, Literal
 
 import numpy as np
 import pyvista
@@ -17,7 +17,7 @@ from ._checks import arrays_of, choose, listed, require_number, require_winds
 from ._from_xarray import meshed
 from ._pipeline import _renamed, set_input, vtk_messages
 from ._series import Grids, Series
-from ._smoke_units import warn_of_units
+from ._smoke_units import UNITS, warn_of_units
 from ._typing import Numbers
 
 # Terms in messages of vtkFlowVolume, and their names in Python.
@@ -25,7 +25,7 @@ _NAMES = {"move the polygon there, by Center if it is regular": "pass that as ce
           "Normal": "normal", "Duration": "duration", "TimeStep": "time_step", "PolygonEdgeLength": "polygon_edge_length",
           "MaximumEdgeLength": "max_edge_length", "MinimumEdgeLength": "min_edge_length", "InitialDensity": "initial_density",
           "MaximumNumberOfTetrahedra": "max_tetrahedra", "StartTime": "start_time", "TimeScale": "time_scale", "or switch Unsteady off": "or leave times out", "Play the animation, choose a later time": "Choose a later time", "Tolerance": "tolerance", "MaximumTurnAngle": "max_turn_angle", "MaximumAreaRatio": "max_area_ratio", "MaximumDivergence": "max_divergence", "ObstacleSize": "obstacle_size",
-          "Choose a velocity:": "Choose a velocity by vectors:", "(ObstacleMass)": "(smoke.field_data['ObstacleMass'])", "(LostMass)": "(smoke.field_data['LostMass'])", "Period": "period"}
+          "than the velocity, convert them": f"than the velocity, convert them: {UNITS}", "Choose a velocity:": "Choose a velocity by vectors:", "(ObstacleMass)": "(smoke.field_data['ObstacleMass'])", "(LostMass)": "(smoke.field_data['LostMass'])", "Period": "period"}
 
 
 def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors: str | None = None,
@@ -37,7 +37,7 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
                 obstacle_levels: int = 2, obstacle_size: float | None = None,
                 integrator: Literal["rk4", "rk45"] = "rk4", tolerance: float = 1e-6,
                 max_tetrahedra: int = 100_000, times: Numbers | None = None, time: float | None = None,
-                start_time: float | None = None, time_scale: float = 1.0) -> pyvista.UnstructuredGrid:
+                start_time: float | None = None, time_scale: float | None = None) -> pyvista.UnstructuredGrid:
     """Compute smoke: the volume that a flow sweeps from a polygon, as tetrahedra. With `times` the flow is unsteady.
 
     Also the accessor method ``mesh.nephoscope.flow_volume(...)``. Lengths are in units of length of the mesh, times in seconds.
@@ -110,8 +110,9 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         With `times`: time of the result, in the unit of `times`. Default: the last time; later ones give that, with a warning.
     start_time : float, optional
         With `times`: time of the first release, in the unit of `times`. Default: the first time.
-    time_scale : float, default: 1.0
-        With `times`: seconds per unit of `times`, > 0: 3600 for hours.
+    time_scale : float, optional
+        With `times`: seconds per unit of `times`, > 0: 3600 for hours. Default: that of the field array ``time_units`` of the first mesh, if its
+        ``TimeValue`` is the first of `times`, as `read_cf` writes them; otherwise 1.
 
     Returns
     -------
@@ -135,8 +136,8 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     -----
     RuntimeWarning
         The warnings of the filter: a polygon partly outside the data, smoke that ended at a body or at velocities that are not finite (with the time of the mesh), a `time` after the last mesh, smoke coarser than requested or much coarser than usual,
-        a `duration` of more than two million automatic time steps. And smoke that is short because coordinates are in degrees or kilometres and the velocity
-        in metres per second, or `times` in hours.
+        a `duration` of more than two million automatic time steps, a flow that hardly moves in all `times`, or crosses the data several times between two of
+        them. And smoke that is short because coordinates are in degrees or kilometres and the velocity in metres per second.
 
     Examples
     --------
@@ -147,13 +148,13 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
         with vtk_messages(smoke, _NAMES):
             smoke.Update()
         volume = pyvista.wrap(smoke.GetOutput())
-        warn_of_units(volume, meshed(mesh), vectors or "", None)
+        warn_of_units(volume, meshed(mesh), vectors or "")
         return volume
     with series.raising(), vtk_messages(smoke, _NAMES):
         smoke.UpdateTimeStep(series.times[-1] if time is None else require_number(time, "time"))
     volume = pyvista.wrap(smoke.GetOutput()).copy(deep=False)
     if time is None:  # until an earlier one the smoke may be short
-        warn_of_units(volume, series.first, vectors or "", time_scale * (series.times[-1] - (series.times[0] if start_time is None else start_time)))
+        warn_of_units(volume, series.first, vectors or "")
     return volume
 
 
@@ -164,7 +165,6 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
             time_scale: Any) -> tuple[vtkFlowVolume, Series | None]:
     """The filter described by the arguments of flow_volume, and the meshes of an unsteady flow."""
     smoke = vtkFlowVolume()
-    smoke.SetTimeScale(require_number(time_scale, "time_scale", above=0))
     series = None
     if times is None:
         if time is not None or start_time is not None:
@@ -176,13 +176,14 @@ def _filter(mesh: Any, polygon: Any = None, *, vectors: Any, center: Any, radius
     else:
         series = _unsteady(smoke, mesh, times, start_time)
         mesh = series.first
+    smoke.SetTimeScale(_time_scale(mesh, times) if time_scale is None else require_number(time_scale, "time_scale", above=0))
     name, on_cells = _velocity(mesh, vectors)
     if name:
         association = vtkDataObject.FIELD_ASSOCIATION_CELLS if on_cells else vtkDataObject.FIELD_ASSOCIATION_POINTS
         smoke.SetInputArrayToProcess(0, 0, 0, association, name)
     if polygon is None:
         smoke.SetNumberOfSides(int(require_number(n_sides, "n_sides", least=3, most=1000)))
-        _place(smoke, mesh, (name, on_cells), center, radius)
+        _place(smoke, [mesh] if series is None else series.meshes(), (name, on_cells), center, radius)
     else:
         _take_polygon(smoke, polygon, {"center": center, "radius": radius, "normal": None if _is_flow(normal) else normal})
     if _is_flow(normal):
@@ -317,16 +318,22 @@ def _velocity(mesh: pyvista.DataSet | vtkCompositeDataSet, name: str | None) -> 
     raise MissingDataError(f"vectors: no array {name!r} of three components. {arrays}")
 
 
-def _place(smoke: vtkFlowVolume, mesh: Any, velocity: tuple[str, bool], center: Numbers | None,
+def _time_scale(mesh: Any, times: Numbers | None) -> float:
+    """0, which leaves it to the filter, if `times` are in the unit that `mesh` tells: other times may be in seconds."""
+    told = getattr(mesh, "field_data", {})
+    return 0.0 if times is not None and "TimeValue" in told and float(told["TimeValue"][0]) == float(times[0]) else 1.0
+
+
+def _place(smoke: vtkFlowVolume, meshes: Iterable[Any], velocity: tuple[str, bool], center: Numbers | None,
            radius: float | None) -> None:
-    """Centre and radius of the regular polygon."""
+    """Centre and radius of the regular polygon, by the first of the meshes in which anything flows."""
     smoke.SetRadius(0.0 if radius is None else require_number(radius, "radius", above=0))
     if center is not None:
         smoke.SetCenter(_vector(center, "center"))
         return
     place = vtkFlowVolumePlacement()
     place.SetNumberOfSides(smoke.GetNumberOfSides())
-    if not place.Find(mesh, *velocity):
+    if not any(place.Find(mesh, *velocity) for mesh in meshes):
         raise ValueError(_renamed(place.GetProblem(), _NAMES) or "center: the mesh has no position with a flow; pass the centre of the polygon.")
     smoke.SetCenter(place.GetCenter())
     if radius is None:

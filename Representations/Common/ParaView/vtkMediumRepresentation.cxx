@@ -6,6 +6,7 @@
 #include "EmptyInput.h"
 #include "IdsAsNumbers.h"
 #include "RankDisplays.h"
+#include "SmokeData.h"
 #include "UniformMedium.h"
 #include "vtkMediumVolume.h"
 
@@ -221,6 +222,10 @@ int vtkMediumRepresentation::RequestData(
     this->HasPiece = HoldsAnything(this->Piece);
     this->WarnOfMissingArray();
     this->StoreBounds();
+    if (!this->HasPiece)
+    {
+      nephoscope::FindBoundsToCome(vtkDataObject::GetData(inputVector[0], 0), this->DataBounds);
+    }
   }
   else
   {
