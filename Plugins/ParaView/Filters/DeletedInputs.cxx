@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DeletedInputs.h"
 
+#include "ClassesOfSuite.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkSMInputProperty.h"
@@ -31,17 +33,26 @@ std::set<vtkSMProxy*> SourcesOf(vtkSMProxy* timeKeeper)
   return sources;
 }
 
-void TakeAway(vtkSMProxy* display, const std::set<vtkSMProxy*>& deleted)
+// From displays all inputs but that of their data, from filters the sun, which the suite has
+// connected.
+bool IsTakenAway(vtkSMProxy* from, const std::string& input)
 {
-  const auto properties = vtk::TakeSmartPointer(display->NewPropertyIterator());
+  return from->IsA("vtkSMSourceProxy") && !from->IsA("vtkSMRepresentationProxy")
+    ? input == "Sun" && IsOfSuite(from->GetVTKClassName())
+    : input != "Input";
+}
+
+void TakeAway(vtkSMProxy* proxy, const std::set<vtkSMProxy*>& deleted)
+{
+  const auto properties = vtk::TakeSmartPointer(proxy->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
   {
     auto* input = vtkSMInputProperty::SafeDownCast(properties->GetProperty());
-    if (input && properties->GetKey() != std::string("Input") && input->GetNumberOfProxies() > 0 &&
+    if (input && IsTakenAway(proxy, properties->GetKey()) && input->GetNumberOfProxies() > 0 &&
       deleted.count(input->GetProxy(0)) > 0)
     {
       input->RemoveAllProxies();
-      display->UpdateVTKObjects();
+      proxy->UpdateVTKObjects();
     }
   }
 }
@@ -68,12 +79,15 @@ struct SourceWatch
     {
       return;
     }
-    vtkNew<vtkSMProxyIterator> displays;
-    displays->SetSession(this->TimeKeeper->GetSession());
-    displays->SetModeToOneGroup();
-    for (displays->Begin("representations"); !displays->IsAtEnd(); displays->Next())
+    vtkNew<vtkSMProxyIterator> proxies;
+    proxies->SetSession(this->TimeKeeper->GetSession());
+    proxies->SetModeToOneGroup();
+    for (const char* group : { "representations", "sources" })
     {
-      TakeAway(displays->GetProxy(), deleted);
+      for (proxies->Begin(group); !proxies->IsAtEnd(); proxies->Next())
+      {
+        TakeAway(proxies->GetProxy(), deleted);
+      }
     }
   }
 };
@@ -93,10 +107,10 @@ void OnTimeKeeper(vtkObject*, unsigned long, void*, void* data)
 }
 }
 
-void OutliveOptionalInputs(vtkSMProxy* display)
+void OutliveOptionalInputs(vtkSMProxy* proxy)
 {
   vtkNew<vtkSMParaViewPipelineController> controller;
-  vtkSMProxy* timeKeeper = controller->FindTimeKeeper(display->GetSession());
+  vtkSMProxy* timeKeeper = controller->FindTimeKeeper(proxy->GetSession());
   SourceWatch& watch = TheSourceWatch();
   if (!timeKeeper || watch.TimeKeeper == timeKeeper)
   {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Displays outlive the sources of their optional inputs, such as a density volume.
+// Displays outlive the sources of their optional inputs, such as a density volume, and filters
+// their sun.
 #ifndef nephoscope_DeletedInputs_h
 #define nephoscope_DeletedInputs_h
 
@@ -9,10 +10,11 @@ class vtkSMProxy;
 namespace nephoscope
 {
 /**
- * Call it for a new display. ParaView deletes a display with any source that it uses; this takes a
- * source that is about to be deleted away from the optional inputs of all displays.
+ * Call it for new proxies. ParaView deletes a display with any source that it uses; this takes a
+ * source that is about to be deleted away from the optional inputs of all displays. Filters would
+ * keep it, as their sun, which nobody could move.
  */
-void OutliveOptionalInputs(vtkSMProxy* display);
+void OutliveOptionalInputs(vtkSMProxy* proxy);
 }
 
 #endif

@@ -33,7 +33,7 @@ vtkSunRepresentation::vtkSunRepresentation()
   this->Sun->PositionalOff();
   this->Sun->SetFocalPoint(0, 0, 0);
   this->Fill->SetLightTypeToHeadlight();
-  this->Fill->SetIntensity(0.1);
+  this->Fill->SetIntensity(0.25);
 }
 
 vtkSunRepresentation::~vtkSunRepresentation()

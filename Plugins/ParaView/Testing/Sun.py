@@ -61,6 +61,18 @@ def check_one_change_moves_all():
     check_sun(pvs.Sunlight(Input=cloud()), (1, -1, 1), "without a sun")
 
 
+def check_deleted():
+    """A filter whose sun a script deletes has its own direction again."""
+    sun = pvs.Sun(SunDirection=[0, 3, 4])
+    light = pvs.Sunlight(Input=cloud())
+    check_sun(light, (0, 3, 4), "made")
+    pvs.Delete(sun)
+    check(light.Sun is None, "the deleted sun shines")
+    light.SunDirection = [1, 0, 1]
+    check_sun(light, (1, 0, 1), "after the sun")
+    pvs.Delete(light)
+
+
 def check_light_of_view():
     view, other = ball_view(), ball_view()
     for one in (view, other, view, other):
@@ -73,6 +85,7 @@ def check_light_of_view():
     sun.SunDirection = [-1, 0, 0]
     left, right, _ = brightness(view)
     check(right > 2 * left, f"with the sun on the right, the ball has {right:.0f} there and {left:.0f} on the left")
+    check(40 < left < 0.35 * right, f"by default the night has {left:.0f} of 255, the day {right:.0f}")
     display.FillLight = 0.0
     check(brightness(view)[0] < 2, "the night is not black without fill light")
     display.Intensity = 0.0
@@ -112,7 +125,7 @@ def check_date():
     """At noon in Greenwich the sun is over the Atlantic on a globe, and in the south of a place in Europe."""
     sun = pvs.Sun(DateTime="2011-03-20 12:00", Longitude=0, Latitude=45)
     view = ball_view()
-    pvs.Show(sun, view)
+    pvs.Show(sun, view).FillLight = 0.1
     north = brightness(view)
     view.CameraPosition = [0, -50, 0]
     south = brightness(view)
@@ -197,6 +210,7 @@ messages = listen()
 load_plugin()
 check_volumes_without_light(messages)
 check_one_change_moves_all()
+check_deleted()
 check_light_of_view()
 check_haze()
 check_date()
