@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FirstColors.h"
 
+#include "ColorsOfLight.h"
+
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
@@ -26,6 +28,7 @@ namespace
 {
 constexpr double bright = 0.7; // luminance
 constexpr double darkSmoke[3] = { 0.35, 0.35, 0.35 };
+constexpr const char* presetOfLight = "Nephoscope Sunlight";
 constexpr const char* presetsOfClouds[] = { "Nephoscope Clouds", "Nephoscope Cloud Water" };
 
 // The name of the preset that an array begins with, or an empty one.
@@ -103,6 +106,12 @@ void ApplyPreset(vtkSMProxy* function, const std::string& preset)
   function->UpdateVTKObjects();
 }
 
+// Whether somebody has saved colours as those that an array begins with.
+bool IsSaved(const std::string& array)
+{
+  return vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
+}
+
 // Colours and opacities of the preset of an array, unless somebody has chosen others.
 void UsePreset(vtkSMProxy* display, const std::string& array, vtkPVDataInformation* data)
 {
@@ -110,9 +119,7 @@ void UsePreset(vtkSMProxy* display, const std::string& array, vtkPVDataInformati
   const std::string preset = own.empty() ? WeatherPresetOf(array, data) : own;
   vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
   vtkSMProxy* opacities = vtkSMPropertyHelper(display, "ScalarOpacityFunction", true).GetAsProxy();
-  const bool saved =
-    vtkSMSettings::GetInstance()->HasSetting((".array_lookup_tables." + array).c_str());
-  if (preset.empty() || !colors || saved ||
+  if (preset.empty() || !colors || IsSaved(array) ||
     !vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset.c_str()))
   {
     return;
@@ -215,23 +222,6 @@ bool HasOneValue(vtkPVDataInformation* data, const ColoredArray& array)
   return range && range[1] - range[0] <= 1e-6 * std::abs(range[1]);
 }
 
-// What vtkSunlight says, less for smoke; 0 where white stays what it is. Thin smoke sends less
-// light than clouds: in their colours it would be grey.
-double LightThatIsWhite(vtkPVDataInformation* data, const std::string& array)
-{
-  const bool isSmoke = data->GetArrayInformation("SmokeExtinction", vtkDataObject::CELL) ||
-    data->GetArrayInformation("SmokeExtinction", vtkDataObject::POINT);
-  vtkPVArrayInformation* light = data->GetArrayInformation(array.c_str(), vtkDataObject::POINT);
-  vtkPVArrayInformation* white = data->GetArrayInformation("WhiteLight", vtkDataObject::FIELD);
-  constexpr double share = 0.7; // of the greatest light, which few places have
-  constexpr double usual = 0.6; // of clouds
-  if (isSmoke && light)
-  {
-    return std::min(share * light->GetComponentFiniteRange(0)[1], usual);
-  }
-  return array == "Sunlight" && white ? white->GetComponentRange(0)[1] : 0.0;
-}
-
 bool IsUsedByOthers(vtkSMProxy* colors, vtkSMProxy* display)
 {
   for (unsigned int i = 0; i < colors->GetNumberOfConsumers(); ++i)
@@ -304,27 +294,36 @@ void ColorByPreset(
   vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
   if (colors && vtkSMTransferFunctionPresets::GetInstance()->HasPreset(preset))
   {
-    vtkSMTransferFunctionProxy::ApplyPreset(colors, preset, false);
-    const double light = LightThatIsWhite(source->GetDataInformation(port), array.Name);
-    double range[2] = { 0.0, 0.0 };
-    if (light > 0.0 && !IsUsedByOthers(colors, display) &&
-      vtkSMTransferFunctionProxy::GetRange(colors, range))
+    const double white = IsUsedByOthers(colors, display)
+      ? 0.0
+      : LightThatIsWhite(source->GetDataInformation(port), array.Name);
+    ApplyFixedPreset(colors, preset, white);
+    if (white > 0.0)
     {
-      vtkSMTransferFunctionProxy::RescaleTransferFunction(colors, range[0], light);
+      FollowEyeOfLight(source, port, colors, array.Name);
     }
-    vtkSMPropertyHelper(colors, "AutomaticRescaleRangeMode", true)
-      .Set(vtkSMTransferFunctionManager::NEVER);
-    colors->UpdateVTKObjects();
   }
 }
 
 void UsePresetOfArray(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port)
 {
   const std::string array = ColoredBy(display).Name;
-  if (!array.empty())
+  vtkPVDataInformation* data = source->GetDataInformation(port);
+  vtkSMProxy* colors = vtkSMPropertyHelper(display, "LookupTable", true).GetAsProxy();
+  if (colors && array == "Sunlight" && HasLight(data) && !IsSaved(array) &&
+    ColorsOf(colors) == ColorsOfAnyArray(display->GetSessionProxyManager()))
   {
-    UsePreset(display, array, source->GetDataInformation(port));
+    ApplyFixedPreset(colors, presetOfLight, LightThatIsWhite(data, array));
   }
+  else if (!array.empty())
+  {
+    UsePreset(display, array, data);
+  }
+}
+
+bool HasLight(vtkPVDataInformation* data)
+{
+  return data->GetArrayInformation("WhiteLight", vtkDataObject::FIELD) != nullptr;
 }
 
 } // namespace nephoscope

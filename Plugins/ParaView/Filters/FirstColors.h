@@ -7,6 +7,7 @@
 
 #include <string>
 
+class vtkPVDataInformation;
 class vtkSMProxy;
 class vtkSMPVRepresentationProxy;
 class vtkSMSourceProxy;
@@ -39,6 +40,9 @@ void ColorByPreset(
  * has chosen others.
  */
 void UsePresetOfArray(vtkSMPVRepresentationProxy* display, vtkSMSourceProxy* source, int port);
+
+/** Whether vtkSunlight, or a filter after it, has made data. */
+bool HasLight(vtkPVDataInformation* data);
 }
 
 #endif

@@ -208,6 +208,7 @@ void UsePreset(vtkSMPVRepresentationProxy* display)
   const std::string type = vtkSMPropertyHelper(display, "Representation", true).GetAsString();
   if (type == "Cell Compositing" || type == "Textured Splats" || type == "Cloud Texture" ||
     nephoscope::IsOfSuite(source->GetVTKClassName()) ||
+    nephoscope::HasLight(source->GetDataInformation(port)) ||
     source->GetDataInformation(port)->GetArrayInformation(
       "GlobeGridProjection", vtkDataObject::FIELD))
   {
@@ -278,6 +279,7 @@ void OnRegistered(vtkObject*, unsigned long, void*, void* data)
     nephoscope::KeepValuesInDomains(proxy);
     if (nephoscope::IsOfSuite(proxy->GetVTKClassName()) && vtkSMSourceProxy::SafeDownCast(proxy))
     {
+      nephoscope::OutliveOptionalInputs(proxy);
       vtkRankMessages::Follow(proxy);
     }
   }

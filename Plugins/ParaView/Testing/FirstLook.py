@@ -210,6 +210,55 @@ def check_light():
     pvs.Delete(view)
 
 
+def lit_cloud(**options):
+    cloud = pvs.Calculator(Input=pvs.Wavelet(WholeExtent=[-6, 6] * 3), ResultArrayName="Extinction", Function="0.5*exp(-(coordsX^2+coordsY^2+coordsZ^2)/9)")
+    return pvs.Sunlight(Input=cloud, SunDirection=[0, 0, 1], **options)
+
+
+def white_of(light):
+    return pvs.servermanager.Fetch(light).GetFieldData().GetArray("WhiteLight").GetValue(0)
+
+
+def check_contour_of_light():
+    """A surface in the light of clouds has the grey of the clouds, although these are not shown."""
+    pvs.Delete(pvs.GetColorTransferFunction("Sunlight"))  # of the other tests
+    light = lit_cloud()
+    view = new_view(SIZE)
+    display = pvs.Show(pvs.Contour(Input=light, ContourBy=["POINTS", "ScaledExtinction"], Isosurfaces=[0.05]), view)
+    display.SMProxy.SetScalarColoring("Sunlight", 0)  # as the window does; ColorBy fits the range to the data
+    pvs.ResetCamera(view)
+    points = np.reshape(display.LookupTable.RGBPoints, (-1, 4))
+    check(np.ptp(points[:, 1:], axis=1).max() < 0.06, f"a contour in the colours {points.tolist()}")
+    check(abs(points[-1, 0] - white_of(light)) < 1e-9, f"white is {points[-1, 0]}, not {white_of(light)}")
+    picture = image(view)
+    save_image(picture, "FirstLook-contour-of-light")
+    seen = picture[picture.max(axis=2) > 30]
+    check(len(seen) > 1000 and np.ptp(seen, axis=1).max() < 30, "the contour is not grey")
+    display.LookupTable.RGBPoints = [0, 0, 0, 0, 1, 0, 0, 1]
+    pvs.Show(pvs.Slice(Input=light), view)
+    check(list(display.LookupTable.RGBPoints) == [0, 0, 0, 0, 1, 0, 0, 1], "colours that somebody has chosen are gone")
+    pvs.Delete(view)
+
+
+def check_follow_camera():
+    """White follows Follow Camera, unless somebody has set it, and never the sun: a film of a day has a night."""
+    light = lit_cloud()
+    view, display = look_first(light)
+    def whites():
+        pvs.Render(view)
+        return display.LookupTable.RGBPoints[-4], white_of(light)
+    first, _ = whites()
+    light.FollowCamera = 1
+    shown, told = whites()
+    check(abs(told / first - 1) > 0.02 and abs(shown - told) < 1e-9, f"with Follow Camera white is {shown}, not {told}; before {first}")
+    light.SunDirection = [1, 0, 0.1]
+    check(whites()[0] == shown, "white follows the sun")
+    display.LookupTable.RescaleTransferFunction(0, 0.9)
+    light.FollowCamera = 0
+    check(abs(whites()[0] - 0.9) < 1e-9, "white that somebody has set is another")
+    pvs.Delete(view)
+
+
 def check_optics():
     """The extinction, although the clouds were coloured by another array; arrays that the menus call Automatic are found by their names."""
     weather, _ = globe()
@@ -383,6 +432,8 @@ check_smoke_on_white()
 check_filters()
 check_terrain()
 check_light()
+check_contour_of_light()
+check_follow_camera()
 check_optics()
 check_constant_fields()
 check_vectors()
