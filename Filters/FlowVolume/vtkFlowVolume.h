@@ -45,7 +45,8 @@
  * - SmoothDensity, double: the mean Density of the cells at the point, by their volume, for
  *   drawing. Interpolated linearly it has the same mass.
  * Field data are passed on. Unsteady smoke has one more field array, of one double: InitialDensity,
- * to which drawing refers the density, so that the pictures of a film are comparable.
+ * to which drawing refers the density, so that the pictures of a film are comparable. At its first
+ * time there are no cells, and the field array BoundsToCome has the six bounds of the data.
  *
  * Moving the polygon or changing a setting is fast: the search structure of the input is kept until
  * the input changes.
