@@ -340,8 +340,8 @@ void vtkCloudTextureMapper::SetMapperShaderParameters(
   this->SetEye(program, renderer, actor);
   if (this->UseThickness)
   {
-    this->Internals->Thickness.SetUniforms(
-      program, this->GetExtinctionInUse(actor), this->Internals->Drawings);
+    this->Internals->Thickness.SetUniforms(program, this->GetExtinctionInUse(actor),
+      this->GetEnoughOpticalDepth(), this->Internals->Drawings);
     if (this->Internals->Volume)
     {
       this->Internals->Volume->SetUniforms(program, this->Internals->Thickness.GetViewToData());

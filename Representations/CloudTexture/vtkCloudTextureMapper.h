@@ -357,6 +357,7 @@ private:
   void LeaveOtherWindow(vtkWindow* window);
   void DrawTriangles(vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor);
   double GetExtinctionInUse(vtkActor* actor) const;
+  double GetEnoughOpticalDepth() const;
   void SetEye(vtkShaderProgram* program, vtkRenderer* renderer, vtkActor* actor);
   bool HasColors() const;
   void ChooseWaves();

@@ -16,6 +16,10 @@
 
 namespace nephoscope
 {
+namespace
+{
+constexpr std::size_t mostPointsWithCorners = std::size_t(1) << 24; // 256 MB
+}
 
 DensityImage::DensityImage(vtkImageData* image, vtkDataArray* array)
 {
@@ -50,7 +54,29 @@ void DensityImage::Read(vtkDataArray* array)
 
 std::string DensityImage::GetShaderCode() const
 {
-  return std::string(CloudGridWalkFunctions) + CloudVolumeFunction;
+  return std::string("const bool hasCorners = ") + (this->HasCorners() ? "true" : "false") + ";\n" +
+    CloudGridWalkFunctions + CloudVolumeFunction;
+}
+
+bool DensityImage::HasCorners() const
+{
+  return this->Values.size() <= mostPointsWithCorners;
+}
+
+// At (0, 0), (1, 0), (0, 1) and (1, 1) of x and y from each point; no voxel begins at the last
+// ones.
+std::vector<float> DensityImage::Corners() const
+{
+  std::vector<float> corners(4 * this->Values.size());
+  const std::size_t steps[4] = { 0, 1, std::size_t(this->Size[0]), std::size_t(this->Size[0]) + 1 };
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    for (std::size_t c = 0; c < 4; ++c)
+    {
+      corners[4 * i + c] = this->Values[std::min(i + steps[c], this->Values.size() - 1)];
+    }
+  }
+  return corners;
 }
 
 std::string DensityImage::Upload(vtkOpenGLRenderWindow* window)
@@ -70,9 +96,11 @@ std::string DensityImage::Upload(vtkOpenGLRenderWindow* window)
   this->Texture->SetDataType(GL_FLOAT);
   this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  std::vector<float> corners = this->HasCorners() ? this->Corners() : std::vector<float>();
   this->IsUploaded = this->Texture->Create3DFromRaw(static_cast<unsigned int>(this->Size[0]),
-    static_cast<unsigned int>(this->Size[1]), static_cast<unsigned int>(this->Size[2]), 1,
-    VTK_FLOAT, this->Values.data());
+    static_cast<unsigned int>(this->Size[1]), static_cast<unsigned int>(this->Size[2]),
+    this->HasCorners() ? 4 : 1, VTK_FLOAT,
+    this->HasCorners() ? corners.data() : this->Values.data());
   if (!this->IsUploaded)
   {
     return "does not fit into a texture of this OpenGL";

@@ -27,7 +27,10 @@ class DensityVolume
 public:
   virtual ~DensityVolume() = default;
 
-  /** Declares meanDensityOfVolume(start, end), places in view coordinates. Needs the context. */
+  /**
+   * Declares meanDensityOfVolume(start, end, enough), places in view coordinates: the mean, or any
+   * number from `enough` to the mean where that is larger. Needs the context.
+   */
   virtual std::string GetShaderCode() const = 0;
 
   /** Empty, or what went wrong. Does nothing where it has been done. */

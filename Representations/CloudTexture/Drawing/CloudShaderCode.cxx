@@ -180,29 +180,25 @@ void AddCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
       "  {\n    discard;\n  }\n";
   }
   const std::string normal = Input(attributes, "cloudNormal", "vec3(0.0)");
-  std::string depth = "  float cloudAdded = 0.0;\n  float cloudDepthOnRay = opticalDepthOfLayer(" +
-    place + ", " + normal + ");\n";
+  std::string depth = "opticalDepthOfLayer(" + place + ", " + normal + ")";
   if (choice.UseThickness)
   {
     std::string thickness = CloudThicknessFunction;
     vtkShaderProgram::Substitute(
       thickness, "//NEPHOSCOPE::Layers", LayerLookups(surface.HasDensity, choice.Drawings));
     vtkShaderProgram::Substitute(thickness, "//NEPHOSCOPE::DensityVolume",
-      choice.DensityVolume.empty() ? "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n"
-                                   : choice.DensityVolume);
+      choice.DensityVolume.empty()
+        ? "float meanDensityOfVolume(vec3 a, vec3 b, float enough) { return 1.0; }\n"
+        : choice.DensityVolume);
     dec += std::string("const bool hasDensityVolume = ") + Word(!choice.DensityVolume.empty()) +
       ";\nin vec3 cloudViewVSOutput;\n" + thickness;
-    early +=
-      "  float cloudThickness = cloudDrawings < 0 ? noThickness\n    : cloudOpticalDepth(cloudViewVSOutput, " +
-      Input(attributes, "cloudDensity", "1.0") +
-      ", gl_FrontFacing == (cloudFrontIsFront != 0));\n" +
-      "  if (cloudThickness < 0.0)\n  {\n    discard;\n  }\n";
-    depth +=
-      "  cloudDepthOnRay = cloudThickness < noThickness ? cloudThickness : cloudDepthOnRay;\n";
     dec += choice.ThicknessIsAdded ? "uniform float thicknessWeight;\n" : "";
-    depth += choice.ThicknessIsAdded
-      ? "  cloudAdded = thicknessWeight * cloudDepthOnRay;\n  cloudDepthOnRay = opticalDepth;\n"
-      : "";
+    const std::string fragment = "cloudViewVSOutput, " + Input(attributes, "cloudDensity", "1.0") +
+      ", gl_FrontFacing == (cloudFrontIsFront != 0)";
+    early += "  cloudEnds = vec2(noThickness);\n  if (cloudDrawings >= 0 && !findCloud(" +
+      fragment + "))\n  {\n    discard;\n  }\n";
+    depth = "cloudDepth(" + fragment + ", " +
+      (choice.ThicknessIsAdded ? "true" : "cloudLooks.a > 0.0") + ", " + depth + ")";
   }
   const std::string second = Input(attributes, "cloudTexture2", "vec3(0.0)");
   vtkShader* fragment = shaders[vtkShader::Fragment];
@@ -212,10 +208,13 @@ void AddCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   // What starts no cloud is no layer for depth peeling either.
   AddBefore(fragment, "//VTK::DepthPeeling::PreColor", early);
   std::string source = fragment->GetSource();
-  const std::string opacity = depth + "  vec4 cloudLooks = cloudLook(cloudTexture1VSOutput, " +
-    second + ", " + Input(attributes, "cloudWeights", "textureWeights") + ", " +
-    Input(attributes, "cloudCover", "coverage") + ", cloudDepthOnRay, cloudAdded);\n" +
-    "  opacity *= cloudLooks.a;\n  ambientColor *= cloudLooks.rgb;\n  diffuseColor *= cloudLooks.rgb;\n";
+  const std::string added = choice.ThicknessIsAdded ? "thicknessWeight * " + depth : "0.0";
+  const std::string opacity = "  vec4 cloudLooks = cloudLook(cloudTexture1VSOutput, " + second +
+    ", " + Input(attributes, "cloudWeights", "textureWeights") + ", " +
+    Input(attributes, "cloudCover", "coverage") + ", " + added + ");\n" +
+    "  opacity *= cloudLooks.a * (1.0 - exp(-" +
+    (choice.ThicknessIsAdded ? "opticalDepth" : depth) + "));\n" +
+    "  ambientColor *= cloudLooks.rgb;\n  diffuseColor *= cloudLooks.rgb;\n";
   vtkShaderProgram::Substitute(
     source, "//VTK::Color::Impl", "//VTK::Color::Impl\n" + opacity, false);
   fragment->SetSource(source);

@@ -222,7 +222,8 @@ void CloudThicknessPass::Deactivate()
   }
 }
 
-void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinction, int drawings)
+void CloudThicknessPass::SetUniforms(
+  vtkShaderProgram* program, double extinction, double enough, int drawings)
 {
   program->SetUniformi("cloudDrawings",
     !this->IsKnown     ? -1
@@ -232,6 +233,7 @@ void CloudThicknessPass::SetUniforms(vtkShaderProgram* program, double extinctio
   program->SetUniform4f("cloudDepthToView", this->DepthToView);
   program->SetUniform2f("cloudOrigin", this->Origin);
   program->SetUniformf("cloudExtinction", static_cast<float>(extinction));
+  program->SetUniformf("cloudEnough", static_cast<float>(enough));
   program->SetUniformf("cloudNear", this->Near);
   program->SetUniformi("cloudEyeMayBeInside", this->EyeMayBeInside);
   program->SetUniformi("cloudIsParallel", this->IsParallel);

@@ -65,7 +65,8 @@ public:
 
   void Activate();
   void Deactivate();
-  void SetUniforms(vtkShaderProgram* program, double extinction, int drawings);
+  /** `enough`: optical depth beyond which the picture does not change. */
+  void SetUniforms(vtkShaderProgram* program, double extinction, double enough, int drawings);
 
   /** From view coordinates to those of the surface's data. */
   vtkMatrix4x4* GetViewToData() const { return this->ViewToData; }

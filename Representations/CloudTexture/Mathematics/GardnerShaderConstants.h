@@ -16,32 +16,31 @@ namespace nephoscope
 {
 
 /**
- * Constants, not uniforms: software OpenGL fetches those anew for every pixel, at the cost of a
- * texture.
+ * A macro that calls another one for each wave: frequencies and amplitude, frequencies of what
+ * shifts the phase and phase, by how many turns it shifts. No loop over arrays: software OpenGL
+ * unrolls loops in some shaders only, and an array that it indexes costs as much as the cosines.
  */
-template <typename Value>
-std::string ArrayOfWaves(
-  const std::string& type, const std::string& name, const GardnerWaves& waves, const Value& value)
+inline std::string ForEachWave(const GardnerWaves& waves)
 {
   std::ostringstream result;
-  result << std::scientific << std::setprecision(9);
-  const std::string array = type + "[" + std::to_string(waves.size()) + "]";
-  result << "const " << type << " " << name << "[" << waves.size() << "] = " << array << "(";
-  for (std::size_t i = 0; i < waves.size(); ++i)
+  result << std::scientific << std::setprecision(9) << "#define forEachWave(visit)";
+  const auto vector = [&](const Point3<double>& frequency, double fourth) {
+    result << "vec4(" << frequency[0] << ", " << frequency[1] << ", " << frequency[2] << ", "
+           << fourth << "), ";
+  };
+  for (const GardnerWave& wave : waves)
   {
-    result << (i ? ", " : "");
-    value(result, waves[i]);
+    result << " visit(";
+    vector(wave.Frequency, wave.Amplitude);
+    vector(wave.ShiftFrequency, wave.Phase);
+    result << wave.Shift / (2 * gardnerPi) << ")";
   }
-  result << ");\n";
+  result << "\n";
   return result.str();
 }
 
 inline std::string GardnerConstants(const GardnerWaves& waves)
 {
-  const auto vector = [](std::ostream& os, const Point3<double>& frequency, double fourth) {
-    os << "vec4(" << frequency[0] << ", " << frequency[1] << ", " << frequency[2] << ", " << fourth
-       << ")";
-  };
   double largest = 0;
   for (const GardnerWave& wave : waves)
   {
@@ -49,18 +48,7 @@ inline std::string GardnerConstants(const GardnerWaves& waves)
   }
   std::ostringstream result;
   result << std::scientific << std::setprecision(9);
-  result << "const int numberOfWaves = " << waves.size() << ";\n"
-         << ArrayOfWaves("vec4", "gardnerWaves", waves,
-              [&](std::ostream& os, const GardnerWave& wave) {
-                vector(os, wave.Frequency, wave.Amplitude);
-              })
-         << ArrayOfWaves("vec4", "gardnerShifts", waves,
-              [&](std::ostream& os, const GardnerWave& wave) {
-                vector(os, wave.ShiftFrequency, wave.Phase);
-              })
-         << ArrayOfWaves("float", "gardnerTurns", waves,
-              [](std::ostream& os, const GardnerWave& wave) { os << wave.Shift / (2 * gardnerPi); })
-         << "const float gardnerFourth = " << GardnerFourth(waves) << ";\n"
+  result << ForEachWave(waves) << "const float gardnerFourth = " << GardnerFourth(waves) << ";\n"
          << "const float largestAmplitude = " << largest << ";\n"
          << "const float thresholdColumns = " << double(CoverageThresholds::columns) << ";\n"
          << "const float thresholdRows = " << double(CoverageThresholds::rows) << ";\n";

@@ -120,7 +120,7 @@ TEST(CloudTextureShaders, MeanDensity)
   functions.replace(functions.find(tag), tag.size(),
     "void considerLayers(ivec2 pixel) {}\n"
     "const bool hasDensityVolume = false;\n"
-    "float meanDensityOfVolume(vec3 a, vec3 b) { return 1.0; }\n");
+    "float meanDensityOfVolume(vec3 a, vec3 b, float enough) { return 1.0; }\n");
   const auto results = runner.Run(functions,
     "result = vec4(meanDensity(first.x, first.y, first.z));", list, {}, [](vtkShaderProgram*) {});
   for (std::size_t i = 0; i < results.size(); ++i)

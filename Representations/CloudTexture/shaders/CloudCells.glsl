@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mean density of cells along a part of a ray: from bin to bin, and in each bin in all tetrahedra that touch it. In a tetrahedron density is
+// Mean density of cells along a part of a ray, or a part of it that is at least `enough`: from bin to bin, and in each bin in all tetrahedra that touch it. In a tetrahedron density is
 // linear, so that the mean of its two ends times the length is exact. Outside of the cells it is 0.
 //
 // Places are seen along the ray: two coordinates across it, as whole numbers below 2^23, and the share of the way. An edge passes the ray on its left or
@@ -123,7 +123,7 @@ void lookAlong(vec3 start, vec3 way)
   cloudRayAlong = way / dot(way, way);
 }
 
-float meanDensityOfVolume(vec3 startVC, vec3 endVC)
+float meanDensityOfVolume(vec3 startVC, vec3 endVC, float enough)
 {
   vec3 startMC = (cloudViewToCells * vec4(startVC, 1.0)).xyz;
   vec3 wayMC = (cloudViewToCells * vec4(endVC, 1.0)).xyz - startMC;
@@ -134,7 +134,7 @@ float meanDensityOfVolume(vec3 startVC, vec3 endVC)
   lookAlong(startMC, wayMC);
   vec3 start = (startMC - cloudBinsLow) * cloudBinsPerLength, way = wayMC * cloudBinsPerLength; // in bins
   float sum = 0.0;
-  for (GridWalk walk = beginWalk(start, way, ivec3(cloudBinCounts)); walk.from < walk.end; goOn(walk))
+  for (GridWalk walk = beginWalk(start, way, ivec3(cloudBinCounts)); walk.from < walk.end && sum < enough; goOn(walk))
   {
     if (walk.to > walk.from)
     {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// How opaque a fragment of a cloud's surface is: the share of it that is cloud, times the opacity of that cloud along the ray; and its colour.
+// The share of a fragment of a cloud's surface that is cloud, which multiplies the opacity of that cloud along the ray; and its colour.
 //   in:  place and (where hasNormals) normal of the fragment in the surface's own coordinates, texture coordinates, weights of the two
-//        sets, cover, optical depth along the ray, what thickness adds to the texture
-//   out: opacity, 0 ... 1; colour, by which that of the surface is multiplied
+//        sets, cover, what thickness adds to the texture
+//   out: share, 0 ... 1; colour, by which that of the surface is multiplied
 // Constants: hasSecondSet, hasNormals, hasColors.
 uniform float softness;
 uniform float opticalDepth; // across the surface
@@ -54,19 +54,19 @@ vec3 cloudTexture(vec3 first, vec3 second, vec2 weights)
   return tex;
 }
 
-// Colour and opacity.
-vec4 cloudLook(vec3 first, vec3 second, vec2 weights, float givenCover, float depthOnRay, float added)
+// Colour and share.
+vec4 cloudLook(vec3 first, vec3 second, vec2 weights, float givenCover, float added)
 {
   float cover = hasThreshold != 0 ? 0.5 : givenCover;
-  vec4 look = vec4(hasColors ? thickColor : vec3(1.0), 1.0 - exp(-depthOnRay));
-  if (cover <= 0.0 || cover >= 1.0 || look.a <= 0.0)
+  vec4 look = vec4(hasColors ? thickColor : vec3(1.0), 1.0);
+  if (cover <= 0.0 || cover >= 1.0)
   {
     return cover <= 0.0 ? vec4(0.0) : look;
   }
   vec3 tex = cloudTexture(first, second, weights);
   float excess = tex.x + added - cloudThreshold(tex.z, cover, softness);
   float width = max(sqrt(max(tex.y, 0.0) + softness * softness), 1.0e-4);
-  look.a *= cloudShare(excess, width);
+  look.a = cloudShare(excess, width);
   if (hasColors)
   {
     look.rgb = mix(thinColor, thickColor, cloudExcess(excess, width, colorRange));

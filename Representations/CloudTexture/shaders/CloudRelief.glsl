@@ -18,20 +18,21 @@ void takeRelief(vec3 place)
 
 // How the height changes to the next pixel, across and up. Waves are as high as the squares of their amplitudes: the small ones of the
 // texture itself are too steep for bumps.
+vec2 bumpChangeOfWave(vec4 wave, vec4 shift, float turns, vec3 p, vec3 across, vec3 up)
+{
+  float chi = dot(shift.xyz, p);
+  vec3 local = wave.xyz + fullTurn * turns * cosineOfTurns(chi) * shift.xyz;
+  vec2 change = fullTurn * vec2(dot(local, across), dot(local, up));
+  float height = wave.w / largestAmplitude;
+  float phase = dot(wave.xyz, p) + shift.w + turns * cosineOfTurns(chi - 0.25);
+  return -height * height * exp(-0.5 * dot(change, change)) * cosineOfTurns(phase - 0.25) * change;
+}
+
 vec2 bumpChange(vec3 p, vec3 across, vec3 up)
 {
   vec2 result = vec2(0.0);
-  for (int i = 0; i < numberOfWaves; ++i)
-  {
-    vec4 wave = gardnerWaves[i];
-    vec4 shift = gardnerShifts[i];
-    float chi = dot(shift.xyz, p);
-    vec3 local = wave.xyz + fullTurn * gardnerTurns[i] * cosineOfTurns(chi) * shift.xyz;
-    vec2 change = fullTurn * vec2(dot(local, across), dot(local, up));
-    float height = wave.w / largestAmplitude;
-    float phase = dot(wave.xyz, p) + shift.w + gardnerTurns[i] * cosineOfTurns(chi - 0.25);
-    result -= height * height * exp(-0.5 * dot(change, change)) * cosineOfTurns(phase - 0.25) * change;
-  }
+#define addBumps(wave, shift, turns) result += bumpChangeOfWave(wave, shift, turns, p, across, up);
+  forEachWave(addBumps)
   return result / pixelDeviation;
 }
 

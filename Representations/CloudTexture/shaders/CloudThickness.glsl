@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Optical depth of the cloud that a ray enters at a front face, up to the next back face or to what is opaque.
-//   in:  place of the fragment in view coordinates, density there, which way the face looks; the layers of the surface
-//   out: optical depth; noThickness where nothing ends the cloud; < 0 where the fragment is not the start of one
+//   findCloud    in:  place of the fragment in view coordinates, density there, which way the face looks; the layers of the surface
+//                out: whether a cloud starts at the fragment
+//   cloudDepth   in:  the same; whether the cloud is seen; optical depth of a layer, for where nothing ends the cloud
+//                out: optical depth, and from cloudEnough on any that is as large
+// Cheap and dear are two functions, so that depth peeling walks through a density volume only in its fragments of a peel.
 // A back face without a front face before it ends a cloud that the eye is in: it starts at the near plane. Where the eye is in none, the
 // surface is open before it.
 // Constants: hasDensity, hasDensityVolume. What looks at the layers is generated: considerLayers(pixel).
@@ -10,6 +13,7 @@ uniform sampler2D cloudOpaqueDepth;
 uniform vec4 cloudDepthToView; // z = (x + y e) / (z + w e), e = 1 - depth
 uniform vec2 cloudOrigin;      // of the viewport, in pixels
 uniform float cloudExtinction; // per length
+uniform float cloudEnough;     // optical depth beyond which the picture does not change
 uniform float cloudNear;       // depth of the near plane
 uniform int cloudEyeMayBeInside;
 uniform int cloudIsParallel;
@@ -53,36 +57,39 @@ vec3 placeOnRay(vec3 view, float depth)
   return cloudIsParallel != 0 ? vec3(view.xy, -depth) : view * (depth / -view.z);
 }
 
-float cloudOpticalDepth(vec3 view, float density, bool isFront)
+vec2 cloudEnds; // depths at which the ray enters and leaves the cloud, noThickness where nothing ends it
+
+bool findCloud(vec3 view, float density, bool isFront)
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy - cloudOrigin);
   float depth = -view.z;
-  float lengthPerDepth = cloudExtinction * (cloudIsParallel != 0 ? 1.0 : length(view) / abs(view.z));
   cloudDepthHere = depth + (isFront ? -sameDepth : sameDepth) * abs(depth); // where both faces meet they are a pair
   cloudNext = vec2(noThickness, density);
   cloudHasFrontBefore = false;
   considerLayers(pixel);
-  if (!isFront && (cloudHasFrontBefore || cloudEyeMayBeInside == 0)) // known before the way through a density volume is walked
-  {
-    return cloudHasFrontBefore ? -1.0 : noThickness;
-  }
-  if (!isFront)
-  {
-    float mean = hasDensityVolume ? meanDensityOfVolume(placeOnRay(view, cloudNear), view) : density;
-    return max(depth - cloudNear, 0.0) * lengthPerDepth * mean;
-  }
   float e = 1.0 - texelFetch(cloudOpaqueDepth, pixel, 0).r;
   float opaque = e > 0.0 ? -(cloudDepthToView.x + cloudDepthToView.y * e) / (cloudDepthToView.z + cloudDepthToView.w * e) : noThickness;
-  float end = min(cloudNext.x, opaque);
-  if (end >= noThickness)
+  cloudEnds = isFront ? vec2(depth, min(cloudNext.x, opaque)) : vec2(cloudNear, cloudEyeMayBeInside != 0 ? depth : noThickness);
+  return isFront || !cloudHasFrontBefore;
+}
+
+float cloudDepth(vec3 view, float density, bool isFront, bool isSeen, float ofLayer)
+{
+  if (cloudEnds.y >= noThickness)
   {
-    return noThickness;
+    return ofLayer;
   }
-  float whole = cloudNext.x < noThickness ? max(cloudNext.x - depth, 0.0) : 0.0;
-  float part = max(end - depth, 0.0);
+  float part = max(cloudEnds.y - cloudEnds.x, 0.0);
+  float ofUnitDensity = part * cloudExtinction * (cloudIsParallel != 0 ? 1.0 : length(view) / abs(view.z)); // where the density is 1
   if (hasDensityVolume)
   {
-    return part * lengthPerDepth * meanDensityOfVolume(view, placeOnRay(view, end));
+    if (!isSeen || ofUnitDensity <= 0.0)
+    {
+      return 0.0;
+    }
+    return ofUnitDensity * meanDensityOfVolume(placeOnRay(view, cloudEnds.x), placeOnRay(view, cloudEnds.y), cloudEnough / ofUnitDensity);
   }
-  return part * lengthPerDepth * meanDensity(density, cloudNext.y, whole > 0.0 ? part / whole : 0.0);
+  float whole = cloudNext.x < noThickness ? max(cloudNext.x - cloudEnds.x, 0.0) : 0.0;
+  float share = isFront && whole > 0.0 ? part / whole : 0.0;
+  return ofUnitDensity * meanDensity(density, cloudNext.y, share);
 }

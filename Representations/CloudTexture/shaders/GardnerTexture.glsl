@@ -3,8 +3,9 @@
 // The cloud texture through the footprint of a pixel, as GardnerTexture.h and CoverageThreshold.h have it.
 //   in:  texture coordinates p; how far they change over one standard deviation of the pixel's filter, across and up
 //   out: mean of f, variance lost to the filter, sum of the fourth powers of the amplitudes that are left
-// Constants, from the headers: thresholdColumns, thresholdRows, and of the waves, in turns: numberOfWaves, gardnerWaves (frequencies, amplitude), gardnerShifts
-// (frequencies of what shifts the phase, phase), gardnerTurns (by how much), gardnerFourth (sum of the fourth powers of the amplitudes).
+// From the headers: the constants thresholdColumns, thresholdRows and gardnerFourth (sum of the fourth powers of the amplitudes), and the macro
+// forEachWave(visit), which calls visit(wave, shift, turns) for each: frequencies and amplitude; frequencies of what shifts the phase, and
+// phase; by how many turns it shifts.
 uniform int hasThreshold; // instead of a cover
 uniform float givenThreshold;
 uniform sampler2D coverageThresholds;
@@ -20,21 +21,22 @@ float cosineOfTurns(float x)
   return y * (-6.28128008 + z * (41.0952427 - z * 73.5855146));
 }
 
+vec3 filteredWave(vec4 wave, vec4 shift, float turns, vec3 p, vec3 across, vec3 up)
+{
+  float chi = dot(shift.xyz, p);
+  vec3 local = wave.xyz + fullTurn * turns * cosineOfTurns(chi) * shift.xyz;
+  vec2 change = vec2(dot(local, across), dot(local, up));
+  float kept = wave.w * exp(-0.5 * squaredTurn * dot(change, change));
+  float square = kept * kept;
+  float phase = dot(wave.xyz, p) + shift.w + turns * cosineOfTurns(chi - 0.25);
+  return vec3(kept * cosineOfTurns(phase), 0.5 * (wave.w * wave.w - square), square * square);
+}
+
 vec3 filteredTexture(vec3 p, vec3 across, vec3 up)
 {
   vec3 result = vec3(0.0);
-  for (int i = 0; i < numberOfWaves; ++i)
-  {
-    vec4 wave = gardnerWaves[i];
-    vec4 shift = gardnerShifts[i];
-    float chi = dot(shift.xyz, p);
-    vec3 local = wave.xyz + fullTurn * gardnerTurns[i] * cosineOfTurns(chi) * shift.xyz;
-    vec2 change = vec2(dot(local, across), dot(local, up));
-    float kept = wave.w * exp(-0.5 * squaredTurn * dot(change, change));
-    float square = kept * kept;
-    float phase = dot(wave.xyz, p) + shift.w + gardnerTurns[i] * cosineOfTurns(chi - 0.25);
-    result += vec3(kept * cosineOfTurns(phase), 0.5 * (wave.w * wave.w - square), square * square);
-  }
+#define addFilteredWave(wave, shift, turns) result += filteredWave(wave, shift, turns, p, across, up);
+  forEachWave(addFilteredWave)
   return result;
 }
 
