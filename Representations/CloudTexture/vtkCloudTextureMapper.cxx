@@ -260,8 +260,8 @@ void vtkCloudTextureMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* act
   own.Enter(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   if (this->UseThickness)
   {
-    this->FindThickness(renderer, actor);
     this->UploadVolume(renderer);
+    this->FindThickness(renderer, actor);
   }
   own.Thresholds->Activate();
   own.Thickness.Activate();

@@ -149,6 +149,9 @@ void vtkCloudTextureMapper::FindThickness(vtkRenderer* renderer, vtkActor* actor
   request.IsInsideOut = own.Surface.Chord.IsInsideOut();
   request.WithDensities = own.Surface.HasDensity;
   request.Clouds = this->MaximumNumberOfLayers;
+  request.Volume = own.Volume.get();
+  request.Extinction = this->GetExtinctionInUse(actor);
+  request.EnoughOpticalDepth = this->GetEnoughOpticalDepth();
   request.Constants = nephoscope::LayerConstants(own.Surface);
   request.DrawTriangles = [&](vtkOpenGLHelper& helper) {
     this->DrawTriangles(helper, renderer, actor);

@@ -3,11 +3,14 @@
 """Prints what drawing textured clouds costs against drawing the same surface plainly, translucent as well.
 
     ./nephoscope bench
+    ./nephoscope python Testing/Benchmarks/cloud_texture.py 512
 
-Clouds of the forecast about an opaque globe, with two sets of texture coordinates and normals, 1024 x 1024 pixels. Seconds are processor
+Clouds of the forecast about an opaque globe, with two sets of texture coordinates and normals, 1024 x 1024 pixels or as many as the argument says;
+thickness also from density volumes, the cells of the forecast and an image of 200 x 200 x 200 points. Seconds are processor
 time of the whole process, software OpenGL included, the least of frames of a moving camera; all ways to draw take turns, so
 that what else the machine does falls on them alike. The ratio is what to quote.
 """
+import sys
 import time
 
 import nephoscope
@@ -15,11 +18,13 @@ import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  the factory
 from nephoscope_testing import meshes
 from nephoscope_testing.weather import forecast_globe
+from vtkmodules.vtkFiltersCore import vtkResampleToImage
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
 
-SIZE = 1024
-FRAMES = 9
+SIZE = int(sys.argv[1]) if len(sys.argv) > 1 else 1024
+FRAMES = 5
+IMAGE_POINTS = 200
 COVER = 0.15
 
 
@@ -47,6 +52,22 @@ def textured(surface, thickness):
     mapper.SetTextureScale(9)
     mapper.SetSoftness(0.5)
     mapper.SetUseThickness(thickness)
+    return mapper
+
+
+def volumes():
+    globe = forecast_globe()
+    resample = vtkResampleToImage()
+    resample.SetInputDataObject(globe)
+    resample.SetSamplingDimensions(*3 * [IMAGE_POINTS])
+    resample.Update()
+    return {"an image": resample.GetOutput(), "cells": globe}
+
+
+def in_volume(surface, volume):
+    mapper = textured(surface, True)
+    mapper.SetDensityVolume(volume)
+    mapper.SetDensityArrayName("cloud_fraction")
     return mapper
 
 
@@ -95,6 +116,7 @@ def moving_frame(renderer, window):
 
 def compare(surface, radius, peeling):
     ways = {"plain": plain(surface), "textured": textured(surface, False), "textured, by thickness": textured(surface, True)}
+    ways.update((f"textured, by thickness in {name}", in_volume(surface, data)) for name, data in volumes().items())
     scenes = {name: scene(mapper, radius, peeling) for name, mapper in ways.items()}
     times = {name: [] for name in ways}
     for turn in range(FRAMES + 2):

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CloudShaderCode.h"
 
+#include "CloudDepthsFragment.h"
 #include "CloudOpacityFunction.h"
 #include "CloudThicknessFunction.h"
 #include "GardnerShaderConstants.h"
@@ -29,15 +30,23 @@ std::string ConstantsOf(const TexturedSurface& surface, bool hasColors, const Ga
     "const bool hasColors = " + Word(hasColors) + ";\n";
 }
 
+std::string ListsLookup()
+{
+  std::string lists = SurfaceListsLookup;
+  vtkShaderProgram::Substitute(
+    lists, "//NEPHOSCOPE::Columns", std::to_string(SurfaceLists::Columns));
+  return lists;
+}
+
 /** Looks at the list of the pixel, or at as many layers as were found. */
 std::string LayerLookups(bool hasDensity, int drawings)
 {
   if (drawings == 0)
   {
-    std::string lists = SurfaceListsLookup;
-    vtkShaderProgram::Substitute(
-      lists, "//NEPHOSCOPE::Columns", std::to_string(SurfaceLists::Columns));
-    return lists;
+    return "uniform usampler2D cloudHeads;\nuniform sampler2D cloudNodes;\n"
+           "#define headOfPixel(pixel) texelFetch(cloudHeads, pixel, 0).r\n"
+           "#define nodeAt(place) texelFetch(cloudNodes, place, 0)\n" +
+      ListsLookup();
   }
   std::ostringstream uniforms, code;
   for (int i = 0; i < drawings; ++i)
@@ -57,6 +66,18 @@ std::string LayerLookups(bool hasDensity, int drawings)
     code << ");\n  }\n";
   }
   return uniforms.str() + "void considerLayers(ivec2 pixel)\n{\n" + code.str() + "}\n";
+}
+
+/** `volume`: code of meanDensityOfVolume, empty: there is none. */
+std::string ThicknessCode(const std::string& layers, const std::string& volume, bool hasDepths)
+{
+  std::string code = CloudThicknessFunction;
+  vtkShaderProgram::Substitute(code, "//NEPHOSCOPE::Layers", layers);
+  vtkShaderProgram::Substitute(code, "//NEPHOSCOPE::DensityVolume",
+    volume.empty() ? "float meanDensityOfVolume(vec3 a, vec3 b, float enough) { return 1.0; }\n"
+                   : volume);
+  return std::string("const bool hasDensityVolume = ") + Word(!volume.empty()) +
+    ";\nconst bool hasDepths = " + Word(hasDepths) + ";\n" + code;
 }
 
 std::string Input(const std::vector<CloudAttribute>& attributes, const std::string& name,
@@ -155,6 +176,15 @@ std::string LayerConstants(const TexturedSurface& surface)
   return std::string("const bool hasDensity = ") + Word(surface.HasDensity) + ";\n";
 }
 
+std::string CloudDepthsCode(const std::string& volume)
+{
+  std::string code = CloudDepthsFragment;
+  vtkShaderProgram::Substitute(code, "//NEPHOSCOPE::Constants", "const bool hasDensity = false;");
+  vtkShaderProgram::Substitute(
+    code, "//NEPHOSCOPE::Thickness", ThicknessCode(ListsLookup(), volume, false));
+  return code;
+}
+
 void AddCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const TexturedSurface& surface,
   const CloudShaderChoice& choice)
 {
@@ -183,15 +213,10 @@ void AddCloudCode(std::map<vtkShader::Type, vtkShader*>& shaders, const Textured
   std::string depth = "opticalDepthOfLayer(" + place + ", " + normal + ")";
   if (choice.UseThickness)
   {
-    std::string thickness = CloudThicknessFunction;
-    vtkShaderProgram::Substitute(
-      thickness, "//NEPHOSCOPE::Layers", LayerLookups(surface.HasDensity, choice.Drawings));
-    vtkShaderProgram::Substitute(thickness, "//NEPHOSCOPE::DensityVolume",
-      choice.DensityVolume.empty()
-        ? "float meanDensityOfVolume(vec3 a, vec3 b, float enough) { return 1.0; }\n"
-        : choice.DensityVolume);
-    dec += std::string("const bool hasDensityVolume = ") + Word(!choice.DensityVolume.empty()) +
-      ";\nin vec3 cloudViewVSOutput;\n" + thickness;
+    const bool hasDepths = choice.Drawings == 0 && !choice.DensityVolume.empty();
+    dec += "in vec3 cloudViewVSOutput;\n" +
+      ThicknessCode(LayerLookups(surface.HasDensity, choice.Drawings),
+        hasDepths ? std::string() : choice.DensityVolume, hasDepths);
     dec += choice.ThicknessIsAdded ? "uniform float thicknessWeight;\n" : "";
     const std::string fragment = "cloudViewVSOutput, " + Input(attributes, "cloudDensity", "1.0") +
       ", gl_FrontFacing == (cloudFrontIsFront != 0)";

@@ -51,6 +51,9 @@ std::string DensitiesUniform(int i);
 /** Constant hasDensity of the shaders of layers. */
 std::string LayerConstants(const TexturedSurface& surface);
 
+/** The fragment shader CloudDepths. `volume`: code of meanDensityOfVolume. */
+std::string CloudDepthsCode(const std::string& volume);
+
 /**
  * Multiplies the opacity of the fragment by that of the cloud, and its colours by those of the
  * texture.

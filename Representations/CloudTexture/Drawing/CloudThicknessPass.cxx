@@ -5,6 +5,7 @@
 #include "CloudThicknessPass.h"
 
 #include "CloudShaderCode.h"
+#include "DensityVolume.h"
 #include "SurfaceLayersFragment.h"
 #include "SurfaceLayersVertex.h"
 #include "SurfaceListsFragment.h"
@@ -12,6 +13,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkOpenGLQuadHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -24,6 +26,10 @@
 
 namespace nephoscope
 {
+
+CloudThicknessPass::CloudThicknessPass() = default;
+CloudThicknessPass::~CloudThicknessPass() = default;
+
 namespace
 {
 // The superclass and the passes need some: colours, environment, thresholds, peels, density volume.
@@ -56,6 +62,7 @@ void CloudThicknessPass::FindView(const Request& request)
     }
   }
   vtkMatrix4x4::Invert(view.ModelToView, this->ViewToData);
+  vtkMatrix4x4::Invert(view.ViewToDevice, this->DeviceToView);
   for (int i = 0; i < 3; ++i) // places are relative to the center
   {
     this->ViewToData->SetElement(i, 3, this->ViewToData->GetElement(i, 3) + request.Center[i]);
@@ -111,10 +118,20 @@ std::string CloudThicknessPass::Draw(const Request& request)
   this->HasLists = layers.Limit == 0;
   if (this->HasLists)
   {
+    // In a volume densities of faces do not count, but the front faces' own ways do.
+    if (request.Volume)
+    {
+      layers.WithDensities = false;
+      layers.OnlyFaces = 0;
+    }
     this->IsKnown = this->Lists.Draw(layers, [&]() {
       this->Paint(request, SurfaceListsFragment,
         [&](vtkShaderProgram* program) { this->Lists.SetUniforms(program); });
     });
+    if (this->IsKnown && request.Volume)
+    {
+      this->FindDepths(request, layers);
+    }
     return this->IsKnown
       ? std::string()
       : "there are more than 16 million faces in the picture, or this OpenGL has no images for them";
@@ -147,6 +164,39 @@ void CloudThicknessPass::Paint(
     this->Helper.VAO->ShaderProgramChanged();
   }
   request.DrawTriangles(this->Helper);
+}
+
+void CloudThicknessPass::FindDepths(const Request& request, const SurfaceLayers::Request& layers)
+{
+  const std::string code = CloudDepthsCode(request.Volume->GetShaderCode());
+  if (!this->Depths || code != this->DepthsCode)
+  {
+    this->Depths.reset(
+      new vtkOpenGLQuadHelper(request.Scene.Window, nullptr, code.c_str(), nullptr));
+    this->DepthsCode = code;
+  }
+  else
+  {
+    request.Scene.Window->GetShaderCache()->ReadyShaderProgram(this->Depths->Program);
+  }
+  vtkShaderProgram* program = this->Depths->Program;
+  this->IsKnown = program != nullptr;
+  if (!program)
+  {
+    return;
+  }
+  this->Opaque->Activate();
+  request.Volume->Activate();
+  this->SetUniforms(program, request.Extinction, request.EnoughOpticalDepth, 0);
+  request.Volume->SetUniforms(program, this->ViewToData);
+  const float origin[2] = { 0, 0 }; // of the lists
+  program->SetUniform2f("cloudOrigin", origin);
+  vtkNew<vtkMatrix4x4> toView;
+  vtkMatrix4x4::Transpose(this->DeviceToView, toView); // as OpenGL wants it
+  program->SetUniformMatrix("deviceToView", toView);
+  this->Lists.Rewrite(layers, [this]() { this->Depths->Render(); });
+  request.Volume->Deactivate();
+  this->Opaque->Deactivate();
 }
 
 void CloudThicknessPass::PaintLayer(const Request& request, const SurfaceLayers::Drawing& drawing)
@@ -272,6 +322,7 @@ void CloudThicknessPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Scene.ReleaseGraphicsResources(window);
   this->Layers.ReleaseGraphicsResources(window);
   this->Lists.ReleaseGraphicsResources(window);
+  this->Depths.reset();
   this->Helper.Program = nullptr; // the window's
   this->Helper.ReleaseGraphicsResources(window);
   this->Opaque = nullptr;

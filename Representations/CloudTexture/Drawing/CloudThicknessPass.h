@@ -16,20 +16,29 @@
 #include "vtkOpenGLHelper.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 class vtkActor;
 class vtkCamera;
+class vtkOpenGLQuadHelper;
 class vtkRenderer;
 class vtkShaderProgram;
 
 namespace nephoscope
 {
 
+class DensityVolume;
+
 class CloudThicknessPass
 {
 public:
+  CloudThicknessPass();
+  ~CloudThicknessPass();
+  CloudThicknessPass(const CloudThicknessPass&) = delete;
+  CloudThicknessPass& operator=(const CloudThicknessPass&) = delete;
+
   struct Request
   {
     SceneDepth::Request Scene;
@@ -42,6 +51,8 @@ public:
     int Clouds = 2;                                      ///< behind one another, at most
     std::string Constants;                               ///< of the shaders
     std::function<void(vtkOpenGLHelper&)> DrawTriangles; ///< with the program of the helper
+    DensityVolume* Volume = nullptr;                     ///< uploaded
+    double Extinction = 0, EnoughOpticalDepth = 0;       ///< for the way through the volume
   };
 
   /**
@@ -77,6 +88,7 @@ private:
   void FindView(const Request& request);
   void Paint(const Request& request, const char* shader,
     const std::function<void(vtkShaderProgram*)>& prepare);
+  void FindDepths(const Request& request, const SurfaceLayers::Request& layers);
   void PaintLayer(const Request& request, const SurfaceLayers::Drawing& drawing);
   std::vector<vtkTextureObject*> Textures();
 
@@ -84,11 +96,13 @@ private:
   SurfaceLayers Layers;
   SurfaceLists Lists;
   vtkOpenGLHelper Helper;
+  std::unique_ptr<vtkOpenGLQuadHelper> Depths;
+  std::string DepthsCode; // of its program
   vtkTextureObject* Opaque = nullptr;
   vtkProp* KnownProp = nullptr; // not to be looked into
   bool IsKnown = false, HasLists = false, EyeMayBeInside = true, IsClosed = false,
        WithDensities = false, IsParallel = false, FrontIsFront = true;
-  vtkNew<vtkMatrix4x4> ViewToData;
+  vtkNew<vtkMatrix4x4> ViewToData, DeviceToView;
   float PlaceToView[16] = {}, DepthToView[4] = {}, Origin[2] = {}, Near = 0;
 };
 

@@ -118,13 +118,7 @@ bool SurfaceLists::Fill(
     return false;
   }
   this->SetState(request);
-  glBindImageTexture(0, this->Heads->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-  glBindImageTexture(1, this->Nodes->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  paint();
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-  glBindImageTexture(1, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
+  this->PaintImages(paint);
 
   this->HeadsFramebuffer->Bind();
   this->HeadsFramebuffer->ActivateReadBuffer(0);
@@ -132,6 +126,33 @@ bool SurfaceLists::Fill(
   glReadPixels(0, request.Size[1], 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &number);
   count = static_cast<int>(number);
   return true;
+}
+
+void SurfaceLists::PaintImages(const std::function<void()>& paint)
+{
+  glBindImageTexture(0, this->Heads->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+  glBindImageTexture(1, this->Nodes->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+  paint();
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+  glBindImageTexture(1, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+}
+
+void SurfaceLists::Rewrite(
+  const SurfaceLayers::Request& request, const std::function<void()>& paint)
+{
+  vtkOpenGLState* state = request.Window->GetState();
+  const SavedState saved(state);
+  state->PushFramebufferBindings();
+  this->HeadsFramebuffer->Bind();
+  this->HeadsFramebuffer->DeactivateDrawBuffers();
+  this->SetState(request);
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  this->PaintImages(paint);
+  state->PopFramebufferBindings();
 }
 
 void SurfaceLists::SetState(const SurfaceLayers::Request& request)

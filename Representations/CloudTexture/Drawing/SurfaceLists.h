@@ -37,6 +37,9 @@ public:
    */
   bool Draw(const SurfaceLayers::Request& request, const std::function<void()>& paint);
 
+  /** Calls paint() to change the lists: the shader CloudDepths, over all pixels. */
+  void Rewrite(const SurfaceLayers::Request& request, const std::function<void()>& paint);
+
   /** Two images as the shader SurfaceLists writes them. */
   vtkTextureObject* GetHeads() { return this->Heads; }
   vtkTextureObject* GetNodes() { return this->Nodes; }
@@ -50,6 +53,7 @@ private:
   void Allocate(const SurfaceLayers::Request& request, int rows);
   bool Fill(const SurfaceLayers::Request& request, const std::function<void()>& paint, int& count);
   void SetState(const SurfaceLayers::Request& request);
+  void PaintImages(const std::function<void()>& paint);
 
   vtkNew<vtkOpenGLFramebufferObject> HeadsFramebuffer, Framebuffer;
   vtkNew<vtkTextureObject> Heads, Nodes;

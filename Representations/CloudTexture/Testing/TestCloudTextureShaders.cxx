@@ -119,7 +119,7 @@ TEST(CloudTextureShaders, MeanDensity)
   const std::string tag = "//NEPHOSCOPE::Layers";
   functions.replace(functions.find(tag), tag.size(),
     "void considerLayers(ivec2 pixel) {}\n"
-    "const bool hasDensityVolume = false;\n"
+    "const bool hasDensityVolume = false;\nconst bool hasDepths = false;\n"
     "float meanDensityOfVolume(vec3 a, vec3 b, float enough) { return 1.0; }\n");
   const auto results = runner.Run(functions,
     "result = vec4(meanDensity(first.x, first.y, first.z));", list, {}, [](vtkShaderProgram*) {});

@@ -150,6 +150,38 @@ class DensityInSpace(BodyTestCase):
             with self.subTest(z=z, parallel=parallel):
                 self.compare(drawn, opacity(0.5 * length * (2.5 + middle @ density)), share=0.999)
 
+    def two_slabs(self, densities, peeling=False, **options):
+        """A dense and a thin one behind one another; points of the image are so close that rays cross many voxels."""
+        slabs = [((-1, -1, 0), (1, 1, 0.5)), ((-1, -1, -2), (1, 1, -1.5))]
+        window, scene, mapper, _ = self.bodies(together(*(box(*s) for s in slabs)), **options)
+        mapper.SetDensityVolume(image((-2, -2, -3), (2, 2, 1), (2, 2, 41), lambda p: np.where(p[:, 2] > -1, *densities)))
+        mapper.SetDensityArrayName("density")
+        scene.renderer.SetUseDepthPeeling(peeling)
+        origins, directions, _ = self.rays(scene)
+        optical = [options["extinction"] * d * np.subtract(*stay_in_box(origins, directions, *s)[::-1]) for s, d in zip(slabs, densities)]
+        return window, mapper, optical
+
+    def test_dense_and_thin(self):
+        """Each slab has the optical depth of its own way, whichever is in front. Only one that is opaque may end a way."""
+        for densities, extinction, peeling in itertools.product(((40, 10), (10, 40)), (0.05, 0.6), (False, True)):
+            window, _, optical = self.two_slabs(densities, peeling, extinction=extinction)
+            with self.subTest(densities=densities, extinction=extinction, peeling=peeling):
+                self.compare(self.draw(window), opacity(sum(optical)), share=0.999)
+
+    def test_added_to_the_texture(self):
+        """Clouds begin at a thickness that multiplied opacity would no longer show."""
+        window, mapper, optical = self.two_slabs((40, 10), extinction=1)
+        mapper.SetThicknessEffectToAddToTexture()
+        mapper.SetThicknessWeight(1)
+        mapper.UseThresholdOn()
+        for threshold in (5, 12, 30):
+            mapper.SetThreshold(threshold)
+            clear = np.abs(np.subtract(optical, threshold)).min(axis=0) > 4  # the texture is within 4 of its standard deviations
+            seen = np.max(optical, axis=0) > threshold
+            with self.subTest(threshold=threshold):
+                self.assertGreater(clear.mean(), 0.3)
+                self.assertGreaterEqual((self.draw(window).ravel() == seen)[clear].mean(), 0.999)  # at edges rounding decides
+
     def test_what_the_faces_do_not_know(self):
         """A sheet of cloud amid the body: 0 at its faces, 3 in the middle, linear between the points. The actor is stretched and turned."""
         window, scene, mapper, actor = self.bodies(box((-1, -1, -1), (1, 1, 1)))

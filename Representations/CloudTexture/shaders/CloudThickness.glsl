@@ -5,10 +5,11 @@
 //                out: whether a cloud starts at the fragment
 //   cloudDepth   in:  the same; whether the cloud is seen; optical depth of a layer, for where nothing ends the cloud
 //                out: optical depth, and from cloudEnough on any that is as large
-// Cheap and dear are two functions, so that depth peeling walks through a density volume only in its fragments of a peel.
+// Two functions, so that depth peeling calls the dear one only for its fragments of a peel.
 // A back face without a front face before it ends a cloud that the eye is in: it starts at the near plane. Where the eye is in none, the
 // surface is open before it.
-// Constants: hasDensity, hasDensityVolume. What looks at the layers is generated: considerLayers(pixel).
+// Constants: hasDensity, hasDensityVolume, hasDepths: the layers have optical depths in place of densities, from CloudDepths.frag.glsl.
+// What looks at the layers is generated: considerLayers(pixel).
 uniform sampler2D cloudOpaqueDepth;
 uniform vec4 cloudDepthToView; // z = (x + y e) / (z + w e), e = 1 - depth
 uniform vec2 cloudOrigin;      // of the viewport, in pixels
@@ -27,12 +28,23 @@ const float sameDepth = 1.0e-6; // relative
 float cloudDepthHere;
 vec2 cloudNext; // depth of the next back face, and the density there
 bool cloudHasFrontBefore;
+bool cloudIsFront;
+vec2 cloudSame; // how far the nearest layer that looks the same way is, and the optical depth there: that of the fragment itself
 
 void considerBack(float depth, float density)
 {
   if (depth > cloudDepthHere && depth < cloudNext.x)
   {
     cloudNext = vec2(depth, density);
+  }
+}
+
+void considerSame(float depth, bool isFront, float opticalDepth)
+{
+  float distance = abs(depth - cloudDepthHere);
+  if (isFront == cloudIsFront && distance < cloudSame.x)
+  {
+    cloudSame = vec2(distance, opticalDepth);
   }
 }
 
@@ -66,6 +78,8 @@ bool findCloud(vec3 view, float density, bool isFront)
   cloudDepthHere = depth + (isFront ? -sameDepth : sameDepth) * abs(depth); // where both faces meet they are a pair
   cloudNext = vec2(noThickness, density);
   cloudHasFrontBefore = false;
+  cloudIsFront = isFront;
+  cloudSame = vec2(noThickness);
   considerLayers(pixel);
   float e = 1.0 - texelFetch(cloudOpaqueDepth, pixel, 0).r;
   float opaque = e > 0.0 ? -(cloudDepthToView.x + cloudDepthToView.y * e) / (cloudDepthToView.z + cloudDepthToView.w * e) : noThickness;
@@ -78,6 +92,10 @@ float cloudDepth(vec3 view, float density, bool isFront, bool isSeen, float ofLa
   if (cloudEnds.y >= noThickness)
   {
     return ofLayer;
+  }
+  if (hasDepths)
+  {
+    return cloudSame.y < noThickness ? cloudSame.y : ofLayer;
   }
   float part = max(cloudEnds.y - cloudEnds.x, 0.0);
   float ofUnitDensity = part * cloudExtinction * (cloudIsParallel != 0 ? 1.0 : length(view) / abs(view.z)); // where the density is 1
