@@ -25,6 +25,9 @@
 
 namespace
 {
+const std::string cutWays =
+  "Some rays cross more small cells of the density volume than this OpenGL allows: they miss a part of "
+  "the cloud. Resample the volume to an image, as with vtkResampleToImage.";
 const std::string moreClouds = "In some pixels more clouds lie behind one another than the ";
 
 std::string BoundsText(const vtkBoundingBox& box)
@@ -174,6 +177,10 @@ void vtkCloudTextureMapper::ReportThicknessErrors(const std::string& error)
   {
     message = moreClouds + std::to_string(this->MaximumNumberOfLayers) +
       " that are measured: the thickness of those in between is wrong. Raise MaximumNumberOfLayers.";
+  }
+  if (error.empty() && own.Thickness.CutsWays())
+  {
+    message = cutWays;
   }
   if (!message.empty() && message != own.LastThickness)
   {

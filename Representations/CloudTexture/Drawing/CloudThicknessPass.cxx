@@ -36,6 +36,7 @@ namespace
 constexpr int reservedUnits = 10;
 // For a sampler that is not read: samplers of two types may not share a unit, and 0 is somebody's.
 constexpr int unusedUnit = 15;
+constexpr int mostParts = 8; // of ways through the density volume: each walks whole bins
 }
 
 int CloudThicknessPass::LimitDrawings(int clouds, bool withDensities)
@@ -99,6 +100,7 @@ std::string CloudThicknessPass::Draw(const Request& request)
     return std::string();
   }
   this->IsKnown = false;
+  this->WaysAreWhole = true;
   this->KnownProp = request.Scene.Prop;
   this->FindView(request);
   this->Opaque = this->Scene.Find(request.Scene);
@@ -194,7 +196,21 @@ void CloudThicknessPass::FindDepths(const Request& request, const SurfaceLayers:
   vtkNew<vtkMatrix4x4> toView;
   vtkMatrix4x4::Transpose(this->DeviceToView, toView); // as OpenGL wants it
   program->SetUniformMatrix("deviceToView", toView);
-  this->Lists.Rewrite(layers, [this]() { this->Depths->Render(); });
+  this->Lists.SetUniforms(program);
+  const auto walk = [&]() {
+    program->SetUniformi("parts", this->Parts);
+    return this->Lists.Rewrite(layers, this->Parts, [&](int face, int part) {
+      program->SetUniformi("face", face);
+      program->SetUniformi("part", part);
+      this->Depths->Render();
+    });
+  };
+  this->WaysAreWhole = walk();
+  while (!this->WaysAreWhole && this->Parts < mostParts)
+  {
+    this->Parts *= 2; // the next pictures begin with as many
+    this->WaysAreWhole = walk();
+  }
   request.Volume->Deactivate();
   this->Opaque->Deactivate();
 }
@@ -323,6 +339,7 @@ void CloudThicknessPass::ReleaseGraphicsResources(vtkWindow* window)
   this->Layers.ReleaseGraphicsResources(window);
   this->Lists.ReleaseGraphicsResources(window);
   this->Depths.reset();
+  this->Parts = 1;
   this->Helper.Program = nullptr; // the window's
   this->Helper.ReleaseGraphicsResources(window);
   this->Opaque = nullptr;

@@ -72,6 +72,8 @@ public:
   bool OnlyFrontFaces() const { return this->IsKnown && !this->EyeMayBeInside && this->IsClosed; }
   /** Which of them OpenGL takes for front faces. */
   bool FrontFacesAreFront() const { return this->FrontIsFront; }
+  /** Whether this OpenGL ends the shader early, so that ways through the volume miss a part. */
+  bool CutsWays() const { return this->IsKnown && !this->WaysAreWhole; }
   bool HasMore() const { return this->IsKnown && !this->HasLists && this->Layers.HasMore(); }
 
   void Activate();
@@ -98,6 +100,8 @@ private:
   vtkOpenGLHelper Helper;
   std::unique_ptr<vtkOpenGLQuadHelper> Depths;
   std::string DepthsCode; // of its program
+  int Parts = 1;          // of ways through the density volume
+  bool WaysAreWhole = true;
   vtkTextureObject* Opaque = nullptr;
   vtkProp* KnownProp = nullptr; // not to be looked into
   bool IsKnown = false, HasLists = false, EyeMayBeInside = true, IsClosed = false,

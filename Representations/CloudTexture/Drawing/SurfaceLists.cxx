@@ -21,6 +21,8 @@ namespace nephoscope
 namespace
 {
 constexpr int largestRows = 4095; // numbers of nodes are exact in float
+// Numbers above the heads.
+constexpr int rowOfCount = 0, rowOfLongest = 1, rowOfCutWays = 2, rowsOfNumbers = 3;
 
 void AllocateStorage(
   vtkTextureObject* image, vtkOpenGLRenderWindow* window, int width, int height, bool isFloat)
@@ -70,7 +72,8 @@ void SurfaceLists::Allocate(const SurfaceLayers::Request& request, int rows)
     this->ReleaseGraphicsResources(request.Window);
     this->HeadsFramebuffer->SetContext(request.Window);
     this->Framebuffer->SetContext(request.Window);
-    AllocateStorage(this->Heads, request.Window, request.Size[0], request.Size[1] + 1, false);
+    AllocateStorage(
+      this->Heads, request.Window, request.Size[0], request.Size[1] + rowsOfNumbers, false);
     std::copy_n(request.Size, 2, this->Size);
   }
   if (rows > this->Rows)
@@ -120,11 +123,7 @@ bool SurfaceLists::Fill(
   this->SetState(request);
   this->PaintImages(paint);
 
-  this->HeadsFramebuffer->Bind();
-  this->HeadsFramebuffer->ActivateReadBuffer(0);
-  GLuint number = 0;
-  glReadPixels(0, request.Size[1], 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &number);
-  count = static_cast<int>(number);
+  count = this->ReadNumber(rowOfCount);
   return true;
 }
 
@@ -139,8 +138,8 @@ void SurfaceLists::PaintImages(const std::function<void()>& paint)
   glBindImageTexture(1, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
 }
 
-void SurfaceLists::Rewrite(
-  const SurfaceLayers::Request& request, const std::function<void()>& paint)
+bool SurfaceLists::Rewrite(const SurfaceLayers::Request& request, int parts,
+  const std::function<void(int face, int part)>& paint)
 {
   vtkOpenGLState* state = request.Window->GetState();
   const SavedState saved(state);
@@ -151,8 +150,30 @@ void SurfaceLists::Rewrite(
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
-  this->PaintImages(paint);
+  this->PaintImages([&]() {
+    int longest = 1;
+    for (int part = 0; part < parts; ++part)
+    {
+      for (int face = 0; face < longest; ++face)
+      {
+        paint(face, part);
+        glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+        longest = face == 0 && part == 0 ? this->ReadNumber(rowOfLongest) : longest;
+      }
+    }
+  });
+  const bool isWhole = this->ReadNumber(rowOfCutWays) != parts;
   state->PopFramebufferBindings();
+  return isWhole;
+}
+
+int SurfaceLists::ReadNumber(int row)
+{
+  this->HeadsFramebuffer->Bind();
+  this->HeadsFramebuffer->ActivateReadBuffer(0);
+  GLuint number = 0;
+  glReadPixels(0, this->Size[1] + row, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, &number);
+  return static_cast<int>(number);
 }
 
 void SurfaceLists::SetState(const SurfaceLayers::Request& request)
@@ -175,7 +196,7 @@ void SurfaceLists::SetUniforms(vtkShaderProgram* program) const
 {
   program->SetUniformi("nodesInRow", Columns);
   program->SetUniformi("rowsOfNodes", this->Rows);
-  program->SetUniformi("rowOfNumber", this->Size[1]);
+  program->SetUniformi("rowOfNumber", this->Size[1] + rowOfCount);
 }
 
 void SurfaceLists::ReleaseGraphicsResources(vtkWindow* window)

@@ -37,8 +37,12 @@ public:
    */
   bool Draw(const SurfaceLayers::Request& request, const std::function<void()>& paint);
 
-  /** Calls paint() to change the lists: the shader CloudDepths, over all pixels. */
-  void Rewrite(const SurfaceLayers::Request& request, const std::function<void()>& paint);
+  /**
+   * Calls paint(face, part) to change the lists: the shader CloudDepths, over all pixels, for each
+   * face of the longest list and each of its way's parts. False: a part was too long.
+   */
+  bool Rewrite(const SurfaceLayers::Request& request, int parts,
+    const std::function<void(int face, int part)>& paint);
 
   /** Two images as the shader SurfaceLists writes them. */
   vtkTextureObject* GetHeads() { return this->Heads; }
@@ -54,6 +58,7 @@ private:
   bool Fill(const SurfaceLayers::Request& request, const std::function<void()>& paint, int& count);
   void SetState(const SurfaceLayers::Request& request);
   void PaintImages(const std::function<void()>& paint);
+  int ReadNumber(int row);
 
   vtkNew<vtkOpenGLFramebufferObject> HeadsFramebuffer, Framebuffer;
   vtkNew<vtkTextureObject> Heads, Nodes;

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Density of grids of all kinds, integrated along rays inside of a body: against closed forms, per pixel."""
 import itertools
+import os
 import unittest
 
 import numpy as np
@@ -16,6 +17,7 @@ from vtkmodules.vtkFiltersCore import vtkAppendFilter
 LOW, HIGH = (-1.0, -0.8, -0.6), (0.9, 0.7, 0.5)
 GRADIENT = np.array((0.6, 0.5, 0.4))
 EXACT = 0.5 / 255 + 1e-3  # colours are rounded to 8 bits
+HAS_LISTS = "image_load_store" not in os.environ.get("MESA_EXTENSION_OVERRIDE", "")
 
 
 def linear(places):
@@ -223,6 +225,38 @@ class Places(CellsTestCase):
             away = np.einsum("ij,ij->i", origins, origins) - along**2
             chord = lambda r: 2 * np.sqrt(np.maximum(0, r * r - away))
             self.compare(self.draw(window), opacity(0.5 * (chord(0.9) - chord(0.5))), allowed=4 / 255, share=0.99)  # facets
+
+
+def fan(points):
+    """Wedges of a cylinder, all of which meet in the x axis."""
+    angle, radius = 2 * np.pi * points[:, 0], 2.5 * points[:, 1]
+    return np.stack([4 * points[:, 2] - 2, radius * np.cos(angle), radius * np.sin(angle)], -1)
+
+
+class ManyCells(CellsTestCase):
+    """Mesa's software OpenGL ends all loops of a shader after 65535 rounds: rays lost what came after them."""
+
+    def in_fan(self, wedges):
+        volume = with_density(meshes.structured((wedges, 3, 3), fan), lambda p: 1 + 0 * p[:, 0])
+        window, scene, _, _ = self.cloud(volume, size=(24, 24))
+        return window, self.expected(scene, density=lambda p: 1)
+
+    def test_whole_rays(self):
+        """As about the poles of a globe with fine cells, where rays cross thousands."""
+        for wedges in (800, 2000) if HAS_LISTS else (800,):
+            window, expected = self.in_fan(wedges)
+            with self.subTest(wedges=wedges):
+                self.compare(self.draw(window), expected, allowed=EXACT, share=0.998)
+
+    @unittest.skipUnless(HAS_LISTS, "the surface's own shader walks, and cannot tell")
+    def test_too_many(self):
+        window, expected = self.in_fan(4000)
+        window.render()
+        window.render()
+        said = window.messages.all
+        self.assertLessEqual(len(said), 1)
+        self.compare(window.rgba()[..., 0], expected, allowed=EXACT, share=0.8 if said else 0.998)  # OpenGL of a GPU has no such limit
+        self.assertTrue(all("Some rays cross more small cells" in words for words in said), said)
 
 
 class Messages(CellsTestCase):

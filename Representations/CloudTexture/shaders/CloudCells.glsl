@@ -37,17 +37,14 @@ bool isLeftExactly(ivec2 a, ivec2 b)
   return high != 0 ? high > 0 : rest != 0 || beside;
 }
 
-// Twice the area of the triangle of the edge and the ray, and whether the ray has the edge on its left.
+bool cloudIsClose; // the ray to an edge of the tetrahedron, by rounding
+
+// Twice the area of the triangle of the edge and the ray, and whether the ray has the edge on its left, where it is not close.
 float edgeArea(vec3 a, vec3 b, out bool left)
 {
   float first = a.x * b.y, second = a.y * b.x, area = first - second;
   left = area > 0.0;
-  bool isClose = abs(area) <= 3.0e-7 * (abs(first) + abs(second)); // by rounding
-  while (isClose) // at most once: software OpenGL does both sides of a condition, but no loop that nobody is in
-  {
-    left = isLeftExactly(ivec2(a.xy), ivec2(b.xy));
-    isClose = false;
-  }
+  cloudIsClose = cloudIsClose || abs(area) <= 3.0e-7 * (abs(first) + abs(second));
   return abs(area);
 }
 
@@ -70,8 +67,18 @@ void meetFace(vec3 areas, bvec3 left, vec2 a, vec2 b, vec2 c) // of bc, ac, ab
 void crossTetrahedron(vec3 a, vec3 b, vec3 c, vec3 d, vec4 densities)
 {
   bvec3 leftA, leftB;
+  cloudIsClose = false;
   vec3 fromA = vec3(edgeArea(a, b, leftA.x), edgeArea(a, c, leftA.y), edgeArea(a, d, leftA.z));
   vec3 others = vec3(edgeArea(b, c, leftB.x), edgeArea(b, d, leftB.y), edgeArea(c, d, leftB.z));
+  // At most once: software OpenGL does both sides of a condition, but no loop that nobody is in. One for all edges, as Mesa ends every loop of a
+  // shader when they have made 65535 rounds in all.
+  while (cloudIsClose)
+  {
+    ivec2 p = ivec2(a.xy), q = ivec2(b.xy), r = ivec2(c.xy), s = ivec2(d.xy);
+    leftA = bvec3(isLeftExactly(p, q), isLeftExactly(p, r), isLeftExactly(p, s));
+    leftB = bvec3(isLeftExactly(q, r), isLeftExactly(q, s), isLeftExactly(r, s));
+    cloudIsClose = false;
+  }
   vec2 atA = vec2(a.z, densities.x), atB = vec2(b.z, densities.y), atC = vec2(c.z, densities.z), atD = vec2(d.z, densities.w);
   cloudEntry = vec2(1.0e30, 0.0);
   cloudExit = vec2(-1.0e30, 0.0);
@@ -103,11 +110,13 @@ float integralInBin(ivec3 bin, float from, float to)
   ivec3 counts = ivec3(cloudBinCounts);
   int number = bin.x + counts.x * (bin.y + counts.y * bin.z);
   int end = element(cloudBinLists, number + 1).x;
+  int i = element(cloudBinLists, number).x;
   float sum = 0.0;
-  for (int i = element(cloudBinLists, number).x; i < end; ++i)
+  for (; i < end; ++i)
   {
     sum += integralInTetrahedron(element(cloudBinLists, i).x, from, to);
   }
+  cloudIsCut = cloudIsCut || i < end;
   return sum;
 }
 
@@ -134,12 +143,14 @@ float meanDensityOfVolume(vec3 startVC, vec3 endVC, float enough)
   lookAlong(startMC, wayMC);
   vec3 start = (startMC - cloudBinsLow) * cloudBinsPerLength, way = wayMC * cloudBinsPerLength; // in bins
   float sum = 0.0;
-  for (GridWalk walk = beginWalk(start, way, ivec3(cloudBinCounts)); walk.from < walk.end && sum < enough; goOn(walk))
+  GridWalk walk = beginWalk(start, way, ivec3(cloudBinCounts));
+  for (; walk.from < walk.end && sum < enough; goOn(walk))
   {
     if (walk.to > walk.from)
     {
       sum += integralInBin(walk.box, walk.from, walk.to);
     }
   }
+  cloudIsCut = cloudIsCut || (walk.from < walk.end && sum < enough);
   return sum;
 }

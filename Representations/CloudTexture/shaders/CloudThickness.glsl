@@ -55,6 +55,8 @@ void considerLayer(vec4 depths, vec4 densities)
   cloudHasFrontBefore = cloudHasFrontBefore || (depths.x > noLayer && -depths.x < cloudDepthHere);
 }
 
+bool cloudIsCut = false; // whether OpenGL has ended a loop in the density volume early
+
 //NEPHOSCOPE::Layers
 //NEPHOSCOPE::DensityVolume
 
