@@ -3,7 +3,7 @@
 """Prints what drawing textured clouds costs against drawing the same surface plainly, translucent as well.
 
     ./nephoscope bench
-    ./nephoscope python Testing/Benchmarks/cloud_texture.py 512
+    PYTHONPATH=Testing/Python ./nephoscope python Testing/Benchmarks/cloud_texture.py 512
 
 Clouds of the forecast about an opaque globe, with two sets of texture coordinates and normals, 1024 x 1024 pixels or as many as the argument says;
 thickness also from density volumes, the cells of the forecast and an image of 200 x 200 x 200 points. Seconds are processor
