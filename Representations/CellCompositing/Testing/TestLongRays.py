@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: The Nephoscope authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rays along thousands of cells, against the closed form. Mesa's software OpenGL ends the loops of a shader after 65,535 rounds in all, without an error."""
+import math
+import unittest
+
+import numpy as np
+from nephoscope_testing import meshes
+from nephoscope_testing.checks import mapper
+from nephoscope_testing.offscreen import Window, float_image
+from nephoscope_testing.transfer import constant
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
+
+ACROSS = np.array([-0.5, 0.5])
+
+
+def even(cells):
+    return meshes.with_field(meshes.image((1, 1, cells), (1, 1, 1 / cells), (-0.5, -0.5, 0)), lambda p: p[:, 2])
+
+
+def stretched(cells):
+    return meshes.with_field(meshes.rectilinear([ACROSS, ACROSS, np.linspace(0, 1, cells + 1)**1.3]), lambda p: p[:, 2])
+
+
+def filtered(data, algorithm):
+    algorithm.SetInputData(data)
+    algorithm.Update()
+    return algorithm.GetOutput()
+
+
+def unstructured(data):
+    return filtered(data, vtkAppendFilter())
+
+
+def tetrahedra(data):
+    return filtered(unstructured(data), vtkDataSetTriangleFilter())
+
+
+class LongRays(unittest.TestCase):
+    def check(self, name, data, trilinear=False):
+        window = Window((8, 8))
+        scene = window.add_scene()
+        ours = mapper()
+        if trilinear:
+            ours.SetCellInterpolationToTrilinear()
+        scene.add_volume(ours, data, constant(1.0, (1, 1, 1)))
+        for height, focus in ((5, 0), (-4, 1)):
+            scene.look((0.02, 0.03, height), (0.02, 0.03, focus), (0, 1, 0), 5, None, near=1, far=9)
+            window.render()
+            np.testing.assert_allclose(float_image(ours)[4, 4, 3], -math.expm1(-1), atol=1e-4, err_msg=f"{name} from {height}")
+        self.assertEqual(window.messages.all, [])
+
+    def test_evenly_spaced(self):
+        self.check("image", even(20000))
+
+    def test_other_cells(self):
+        grid = stretched(3500)
+        self.check("grid", grid)
+        self.check("trilinear grid", grid, trilinear=True)
+        self.check("hexahedra", unstructured(grid))
+        self.check("tetrahedra", tetrahedra(grid))
+
+
+if __name__ == "__main__":
+    unittest.main()
