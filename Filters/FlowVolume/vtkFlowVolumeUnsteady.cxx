@@ -242,37 +242,6 @@ void vtkFlowVolume::MakeUnsteadyVolume(vtkInformation* request, vtkDataObject* i
   }
 }
 
-// Once for a series: an animation has many frames, and comes back to its beginning.
-bool vtkFlowVolume::IsToldFirst(vtkMTimeType& told)
-{
-  const bool isFirst = told != this->State->Streak.MTime;
-  told = this->State->Streak.MTime;
-  return isFirst;
-}
-
-void vtkFlowVolume::WarnOfNoSmokeYet()
-{
-  auto& state = *this->State;
-  if (!this->IsToldFirst(state.ToldOfNoSmoke))
-  {
-    return;
-  }
-  const auto read = static_cast<std::size_t>(state.Streak.LastRead);
-  const bool isStill = state.Streak.WasStill && !state.Streak.Volume;
-  const double start = isStill ? state.Times[read] : std::max(this->StartTime, state.Times.front());
-  std::ostringstream later;
-  if (state.Times.back() > start)
-  {
-    later << ", such as " << state.Times.back();
-  }
-  vtkWarningMacro("There is no smoke at time "
-    << state.Requested << ": "
-    << (isStill ? "the flow is zero everywhere up to time "
-                : "unsteady smoke leaves the generating polygon from time ")
-    << start << (isStill ? "" : " on, and needs time to grow")
-    << ". Play the animation, choose a later time" << later.str() << ", or switch Unsteady off.");
-}
-
 // Where the smoke will be, for cameras that are set before there is any.
 void vtkFlowVolume::WriteBounds(vtkUnstructuredGrid* output) const
 {
@@ -280,76 +249,6 @@ void vtkFlowVolume::WriteBounds(vtkUnstructuredGrid* output) const
   double bounds[6];
   this->Exchange().BoundsOf(sets).GetBounds(bounds);
   nephoscope::PutBoundsToCome(output, bounds);
-}
-
-// Times may be in another unit than is assumed. A wind that begins later is too slow at first.
-void vtkFlowVolume::WarnOfTimeScale(double speed)
-{
-  constexpr double little = 0.01; // of the diagonal: a quarter of the default width of the polygon
-  constexpr double much = 8.0;
-  auto& state = *this->State;
-  const double diagonal = state.Streak.Second->Diagonal;
-  const double seconds = this->Seconds(state.Times.back());
-  const double way = speed * seconds;
-  const double inStep = way / static_cast<double>(state.Times.size() - 1);
-  const bool isLittle = way<little * diagonal, isMuch = inStep> much * diagonal;
-  if (!(way > 0.0) || (!isLittle && !isMuch) || !this->IsToldFirst(state.ToldOfTimeScale))
-  {
-    return;
-  }
-  std::ostringstream moves;
-  isLittle ? moves << "moves by only " << way << " (" << 100.0 * way / diagonal
-                   << " % of the diagonal of the data) in the " << seconds
-                   << " seconds from the first time step to the last"
-           : moves << "crosses the data " << std::round(inStep / diagonal)
-                   << " times between two time steps";
-  vtkWarningMacro("With its speed of "
-    << speed << ", the flow at the generating polygon " << moves.str() << ". TimeScale is "
-    << seconds / (state.Times.back() - state.Times.front())
-    << " s per unit of time: set it to 3600 for time steps in hours, to 86400 for days, to "
-       "1 for seconds. If the coordinates have another unit of length than the velocity, convert "
-       "them.");
-}
-
-void vtkFlowVolume::WarnOfNoDataYet()
-{
-  auto& state = *this->State;
-  const double last = state.Times.back();
-  const double rounding = 1e-9 * (last - state.Times.front());
-  if (state.Requested > last + rounding && this->IsToldFirst(state.ToldOfNoData))
-  {
-    vtkWarningMacro("There are no data at time "
-      << state.Requested << ": the last time step of the input is at " << last
-      << ", and the smoke is that of this time. Choose an earlier time, or add time steps.");
-  }
-}
-
-// Smoke that ended inside the data. In a time step without any velocity, no obstacle is the cause.
-void vtkFlowVolume::WarnOfLoss(const nephoscope::SmokeReport& report)
-{
-  constexpr double noticed = 0.01; // of the smoke
-  auto& state = *this->State;
-  const nephoscope::StreakState& streak = state.Streak;
-  const bool isMissing = this->Exchange().AnyTrue(streak.Missing.Missing > 0);
-  const bool isHere = streak.Missing.Missing > 0; // on this rank
-  const bool isWhole = isHere && streak.Missing.Missing == streak.Missing.All;
-  const double share = report.LostMass / report.EmittedMass;
-  if (isHere && share > noticed && this->IsToldFirst(state.ToldOfMissing))
-  {
-    const nephoscope::MissingVelocities& missing = streak.Missing;
-    vtkWarningMacro("The velocity (array '"
-      << streak.Second->Velocity.Name << "') is not a finite number at " << missing.Missing
-      << " of " << missing.All << (streak.Second->Velocity.OnCells ? " cells" : " points")
-      << " at time " << streak.MissingTime << ". Smoke that reaches them ends there; "
-      << std::round(100.0 * share) << " % of it has ended or left the data (LostMass). "
-      << (isWhole ? "Leave this time step out: the velocity is linear between the others."
-                  : "Replace the missing values if it should go on."));
-  }
-  if (!isWhole && report.ObstacleMass > noticed * report.EmittedMass &&
-    this->IsToldFirst(state.ToldOfObstacles))
-  {
-    this->WarnOfObstacles(report, isMissing);
-  }
 }
 
 void vtkFlowVolume::EndSeries(vtkInformation* request)
