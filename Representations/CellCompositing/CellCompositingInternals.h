@@ -92,7 +92,6 @@ struct vtkCellCompositingMapper::vtkInternals
   bool OneColor = false;     // of the medium in the last render
   bool Peeled = false;       // the last render drew between translucent surfaces, or slices
   bool RaysAreWrong = false; // on the window's OpenGL
-  bool Mixed = false;        // with other media, ray by ray
   bool MediaRefused = false; // by the compiler of shaders
   vtkWeakPointer<vtkCellCompositingMapper>
     Picture; // drew the last one with other media, if not this mapper

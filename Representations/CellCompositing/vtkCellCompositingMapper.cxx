@@ -121,9 +121,7 @@ void vtkCellCompositingMapper::DrawInOrder(vtkRenderer* renderer, vtkVolume* vol
   {
     return; // the first draws all
   }
-  const bool several = media.size() > 1;
   const auto isMissing = [&](const vtkMedium& medium) {
-    medium.Mapper->Internals->Mixed = several;
     medium.Mapper->Internals->Peeled = nephoscope::VolumePeel::IsRequested(medium.Volume);
     return !medium.Mapper->Prepare(window, renderer, medium.Volume);
   };

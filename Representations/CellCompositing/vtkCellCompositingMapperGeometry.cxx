@@ -19,10 +19,9 @@ using nephoscope::WithThreads;
 namespace
 {
 /**
- * `hasParts`: polygons or layers, which need tetrahedra. `mixed`: with other media, whose rays
- * cross the tetrahedra of cells.
+ * `hasParts`: polygons or layers, which need tetrahedra.
  */
-CellGeometry::Form FormOfCells(bool byRays, bool hasParts, bool mixed, int interpolation)
+CellGeometry::Form FormOfCells(bool byRays, bool hasParts, int interpolation)
 {
   using Form = CellGeometry::Form;
   if (!byRays)
@@ -33,7 +32,7 @@ CellGeometry::Form FormOfCells(bool byRays, bool hasParts, bool mixed, int inter
   {
     return Form::Grid;
   }
-  if (mixed || interpolation == vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION)
+  if (interpolation == vtkCellCompositingMapper::TETRAHEDRA_INTERPOLATION)
   {
     return Form::WholeCells;
   }
@@ -45,7 +44,7 @@ CellGeometry::Form FormOfCells(bool byRays, bool hasParts, bool mixed, int inter
 // Nothing that is asked for needs tetrahedra.
 bool vtkCellCompositingMapper::MayCrossWholeCells() const
 {
-  return this->UsesRays() && !this->Internals->Mixed && !this->HasPolygonsOrLayers();
+  return this->UsesRays() && !this->HasPolygonsOrLayers();
 }
 
 // The field of cells that rays cross as a whole.
@@ -92,8 +91,8 @@ std::string vtkCellCompositingMapper::UpdateGeometry(
   }
   scalars.Headroom = this->Internals->Light.IsUsed() ? this->Internals->Light.Headroom() : 0;
   bool built = false;
-  const CellGeometry::Form form = FormOfCells(
-    this->UsesRays(), this->HasPolygonsOrLayers(), this->Internals->Mixed, this->CellInterpolation);
+  const CellGeometry::Form form =
+    FormOfCells(this->UsesRays(), this->HasPolygonsOrLayers(), this->CellInterpolation);
   WithThreads([&]() {
     built = scene.UpdateGeometry(input, scalars, opacity, form, error, layers, progress);
   });

@@ -151,13 +151,12 @@ bool RayCells::DrawsHexahedra(const CellDrawing& drawing) const
       !drawing.Buffers.HasLayers());
 }
 
-bool RayCells::ReadySegmentProgram(const CellDrawing& drawing, bool throughTetrahedra)
+bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)
 {
   const std::string constants =
     drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() + this->OwnConstants();
-  const std::string text = this->DrawsHexahedra(drawing) && !throughTetrahedra
-    ? HexahedraShader(!this->Grid.IsEmpty())
-    : TetrahedraShader(this->GetTopology());
+  const std::string text = this->DrawsHexahedra(drawing) ? HexahedraShader(!this->Grid.IsEmpty())
+                                                         : TetrahedraShader(this->GetTopology());
   this->SegmentProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
     RayCellsVertex, SpecializedShader(text, constants).c_str(), "");
   return this->SegmentProgram != nullptr;
@@ -171,8 +170,10 @@ std::string RayCells::MediumShader(const CellDrawing& drawing, int instance) con
   }
   const std::string constants = drawing.MediumConstants() + this->OwnConstants() +
     "const int mediumNumber = " + std::to_string(instance) + ";\n";
-  return ShaderInstance(
-    SpecializedShader(ShaderOfMedium(this->GetTopology()), constants), instance);
+  const std::string text = this->DrawsHexahedra(drawing)
+    ? HexahedraMediumShader(!this->Grid.IsEmpty())
+    : TetrahedraMediumShader(this->GetTopology());
+  return ShaderInstance(SpecializedShader(text, constants), instance);
 }
 
 std::string RayCells::Draw(const CellDrawing& drawing)
@@ -195,14 +196,13 @@ std::string RayCells::DrawOwned(const CellDrawing& drawing, vtkTextureObject* ow
     return this->Voxels.Draw(drawing, owners, owner);
   }
   this->Entries.SetOwners(owners, owner);
-  return this->DrawFrom(drawing, true);
+  return this->DrawFrom(drawing);
 }
 
-std::string RayCells::DrawFrom(const CellDrawing& drawing, bool throughTetrahedra)
+std::string RayCells::DrawFrom(const CellDrawing& drawing)
 {
   this->Entries.Allocate(drawing);
-  if (!this->Entries.ReadyProgram(drawing) ||
-    !this->ReadySegmentProgram(drawing, throughTetrahedra))
+  if (!this->Entries.ReadyProgram(drawing) || !this->ReadySegmentProgram(drawing))
   {
     return "the shaders did not compile";
   }

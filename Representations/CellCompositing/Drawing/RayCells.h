@@ -90,12 +90,11 @@ public:
 private:
   friend class RayMedia; // walks through the meshes of several in step
 
-  std::string DrawFrom(const CellDrawing& drawing, bool throughTetrahedra = false);
+  std::string DrawFrom(const CellDrawing& drawing);
   std::string OwnConstants() const;
   bool DrawsHexahedra(const CellDrawing& drawing) const;
   TetrahedronTopology GetTopology() const;
-  /** Also as the walk of a medium, which goes through tetrahedra. */
-  bool ReadySegmentProgram(const CellDrawing& drawing, bool throughTetrahedra = false);
+  bool ReadySegmentProgram(const CellDrawing& drawing);
   /** The walk as one of several in a shader (ShaderInstance.h). */
   std::string MediumShader(const CellDrawing& drawing, int instance) const;
   void SetWalk(const CellDrawing& drawing, vtkShaderProgram* program, int instance);

@@ -12,8 +12,10 @@
 #include "GridCellsShader.h"
 #include "GridHexahedraShader.h"
 #include "HexahedronContoursShader.h"
+#include "HexahedronMediumShader.h"
 #include "HexahedronWalkShader.h"
 #include "ListedHexahedraShader.h"
+#include "MediumBesideShader.h"
 #include "MediumPiecesShader.h"
 #include "NeighborTopologyShader.h"
 #include "PixelRayShader.h"
@@ -53,6 +55,17 @@ std::string WithTetrahedra(const std::string& shader, TetrahedronTopology topolo
       { "CameraLight", CameraLight::ShaderText() } });
 }
 
+std::string WithHexahedra(const std::string& shader, bool structured)
+{
+  return WithShaderParts(shader,
+    { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader },
+      { "GridCells", GridCellsShader }, { "HexahedronWalk", HexahedronWalkShader },
+      { "HexahedronContours", HexahedronContoursShader }, { "CubicContours", CubicContoursShader },
+      { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
+      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
+      { "PixelRay", PixelRayShader }, { "CameraLight", CameraLight::ShaderText() } });
+}
+
 std::string WithVoxels(const std::string& shader)
 {
   return WithShaderParts(shader,
@@ -63,11 +76,13 @@ std::string WithVoxels(const std::string& shader)
       { "CameraLight", CameraLight::ShaderText() } });
 }
 
-// What all media have once.
-std::string WithoutCommonParts(const std::string& shader)
+// The functions of a walk, and the medium's, without what all media have once.
+std::string AsMedium(const std::string& walk, const char* medium)
 {
-  return WithShaderParts(
-    shader, { { "Arrays", "" }, { "OpaqueDepth", "" }, { "OpticalSegment", "" } });
+  return WithShaderParts(walk.substr(0, walk.find("void main()")) + medium,
+    { { "RayEntry", "" }, { "MediumPieces", MediumPiecesShader },
+      { "MediumBeside", MediumBesideShader }, { "Arrays", "" }, { "OpaqueDepth", "" },
+      { "OpticalSegment", "" } });
 }
 }
 
@@ -79,14 +94,8 @@ std::string TetrahedraShader(TetrahedronTopology topology)
 
 std::string HexahedraShader(bool structured)
 {
-  return WithShaderParts(RayHexahedraFragment,
-    { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader },
-      { "GridCells", GridCellsShader }, { "HexahedronWalk", HexahedronWalkShader },
-      { "HexahedronContours", HexahedronContoursShader }, { "CubicContours", CubicContoursShader },
-      { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
-      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "PixelRay", PixelRayShader }, { "RayEntry", RayEntryShader },
-      { "CameraLight", CameraLight::ShaderText() } });
+  return WithHexahedra(
+    WithShaderParts(RayHexahedraFragment, { { "RayEntry", RayEntryShader } }), structured);
 }
 
 std::string VoxelsShader()
@@ -94,18 +103,19 @@ std::string VoxelsShader()
   return WithVoxels(RayVoxelsFragment);
 }
 
-std::string ShaderOfMedium(TetrahedronTopology topology)
+std::string TetrahedraMediumShader(TetrahedronTopology topology)
 {
-  const std::string walk = RayCellsFragment;
-  const std::string text = walk.substr(0, walk.find("void main()")) + RayMediumShader;
-  return WithoutCommonParts(WithShaderParts(WithTetrahedra(text, topology),
-    { { "RayEntry", "" }, { "MediumPieces", MediumPiecesShader } }));
+  return WithTetrahedra(AsMedium(RayCellsFragment, RayMediumShader), topology);
 }
 
-std::string ShaderOfVoxelMedium()
+std::string HexahedraMediumShader(bool structured)
 {
-  return WithoutCommonParts(
-    WithVoxels(WithShaderParts(VoxelMediumShader, { { "MediumPieces", MediumPiecesShader } })));
+  return WithHexahedra(AsMedium(RayHexahedraFragment, HexahedronMediumShader), structured);
+}
+
+std::string VoxelsMediumShader()
+{
+  return WithVoxels(AsMedium("", VoxelMediumShader));
 }
 
 } // namespace nephoscope

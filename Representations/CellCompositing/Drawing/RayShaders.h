@@ -27,9 +27,10 @@ std::string HexahedraShader(bool structured);
 /** From cell to cell of a grid with evenly spaced points. */
 std::string VoxelsShader();
 ///@{
-/** The first and the last as one of several media in a shader, without what all have in common. */
-std::string ShaderOfMedium(TetrahedronTopology topology);
-std::string ShaderOfVoxelMedium();
+/** The same as one of several media in a shader, without what all have in common. */
+std::string TetrahedraMediumShader(TetrahedronTopology topology);
+std::string HexahedraMediumShader(bool structured);
+std::string VoxelsMediumShader();
 ///@}
 
 } // namespace nephoscope

@@ -149,7 +149,7 @@ std::string RayVoxels::MediumShader(const CellDrawing& drawing, int instance) co
   const std::string constants = drawing.MediumConstants() +
     ShaderConstant("trilinear", drawing.Options.Trilinear) +
     "const int mediumNumber = " + std::to_string(instance) + ";\n";
-  return ShaderInstance(SpecializedShader(ShaderOfVoxelMedium(), constants), instance);
+  return ShaderInstance(SpecializedShader(VoxelsMediumShader(), constants), instance);
 }
 
 void RayVoxels::SetGrid(vtkShaderProgram* program, int instance)

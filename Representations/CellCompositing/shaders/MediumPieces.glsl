@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One of several media along a ray, in pieces over which its colour and extinction are linear, and gaps between them where nothing is seen.
-// A walk finds the segments over which its scalars are linear: RayMedium.glsl, VoxelMedium.glsl. Every medium has all of these names with its
+// A walk finds the segments over which its scalars are linear: RayMedium.glsl, HexahedronMedium.glsl, VoxelMedium.glsl. Every medium has all of these names with its
 // number (ShaderInstance.h).
 // Places along the ray are distances from the plane in which the first medium's rays start, away from the eye.
 // Constant: mediumNumber.
@@ -14,7 +14,7 @@ bool mediumEnds = true;       // there is no further piece
 
 // The present piece, or gap: places; colour and extinction at its ends.
 float pieceFrom = 0.0, pieceTo = 0.0;
-vec4 pieceFront = vec4(0.0), pieceBack = vec4(0.0);
+vec4 mediumFront = vec4(0.0), mediumBack = vec4(0.0);
 
 // What is left of the present segment: its two samples and their places; where it is done to, as a fraction.
 vec2 sampleFront = vec2(0.0), sampleBack = vec2(0.0);
@@ -62,14 +62,14 @@ void takePiece()
   segmentDone = atEnd ? 1.0 : greater(segmentDone, first);
   vec2 next = atEnd ? sampleBack : mix(sampleFront, sampleBack, segmentDone);
   next = atEnd ? next : leave.x <= leave.y ? vec2(ends.x, next.y) : vec2(next.x, ends.y);
-  pieceFront = valueAt(color, sampleHere.x);
-  pieceBack = valueAt(color, next.x);
+  mediumFront = valueAt(color, sampleHere.x);
+  mediumBack = valueAt(color, next.x);
 #ifdef SMALL_OPACITY_TABLE
-  pieceFront.a = opacityAt(opacity, sampleHere.y);
-  pieceBack.a = opacityAt(opacity, next.y);
+  mediumFront.a = opacityAt(opacity, sampleHere.y);
+  mediumBack.a = opacityAt(opacity, next.y);
 #endif
-  pieceFront.a *= extinctionPerPlace;
-  pieceBack.a *= extinctionPerPlace;
+  mediumFront.a *= extinctionPerPlace;
+  mediumBack.a *= extinctionPerPlace;
   pieceTo = max(pieceFrom, mix(segmentPlaces.x, segmentPlaces.y, segmentDone));
   sampleHere = next;
   inSegment = !atEnd;
@@ -111,17 +111,17 @@ void takePiece()
     exactLength = crossingLength(opacityNodes, opacityTable, piecesInterval.y, sampleFront.y, sampleBack.y);
   }
   exactLength *= segmentPlaces.y - segmentPlaces.x;
-  pieceFront = nextFront;
-  pieceBack = atEnd ? evaluate(lastInterval, sampleBack) : limit(ofColor, piecesInterval, rising, s);
+  mediumFront = nextFront;
+  mediumBack = atEnd ? evaluate(lastInterval, sampleBack) : limit(ofColor, piecesInterval, rising, s);
   pieceTo = max(pieceFrom, atEnd ? segmentPlaces.y : mix(segmentPlaces.x, segmentPlaces.y, to));
   float length = pieceTo - pieceFrom;
   if (exactLength > 0.0 && length <= 0.0 && pieceFrom > max(mediumRange.x, mediaRange.x) && pieceFrom < min(mediumRange.y, mediaRange.y))
   {
-    mixedLight += (1.0 - mixedLight.a) * integrateLinear(pieceFront, pieceBack, exactLength * extinctionPerPlace);
+    mixedLight += (1.0 - mixedLight.a) * integrateLinear(mediumFront, mediumBack, exactLength * extinctionPerPlace);
   }
   float extinction = extinctionPerPlace * (exactLength > 0.0 && length > 0.0 ? exactLength / length : 1.0);
-  pieceFront.a *= extinction;
-  pieceBack.a *= extinction;
+  mediumFront.a *= extinction;
+  mediumBack.a *= extinction;
   if (atEnd)
   {
     inSegment = false;
@@ -141,7 +141,7 @@ bool findSegment();
 void nextPiece()
 {
   pieceFrom = pieceTo;
-  pieceFront = pieceBack = vec4(0.0);
+  mediumFront = mediumBack = vec4(0.0);
   if (!inSegment)
   {
     mediumEnds = mediumEnds || !findSegment();
@@ -174,7 +174,7 @@ void placeMedium()
 #endif
   inSegment = false;
   pieceFrom = pieceTo = -3.0e38;
-  pieceFront = pieceBack = vec4(0.0);
+  mediumFront = mediumBack = vec4(0.0);
   mediumEnds = entered[mediumNumber] == -1.0;
 }
 
@@ -199,11 +199,11 @@ void findEvent(float place)
 
 void addMedium(float from, float to)
 {
-  if (!mediumEnds && from >= mediumRange.x && from < mediumRange.y && pieceFront.a + pieceBack.a > 0.0)
+  if (!mediumEnds && from >= mediumRange.x && from < mediumRange.y && mediumFront.a + mediumBack.a > 0.0)
   {
     vec2 t = clamp((vec2(from, to) - pieceFrom) / (pieceTo - pieceFrom), 0.0, 1.0);
-    vec4 front = mix(pieceFront, pieceBack, t.x);
-    vec4 back = mix(pieceFront, pieceBack, t.y);
+    vec4 front = mix(mediumFront, mediumBack, t.x);
+    vec4 back = mix(mediumFront, mediumBack, t.y);
     vec4 middle = 0.5 * (front + back);
     soleFront = front;
     soleBack = back;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One of several media along a ray, from tetrahedron to tetrahedron. It follows the parts of RayCells.frag.glsl, whose walk it takes.
-//NEPHOSCOPE::FaceNumber
 //NEPHOSCOPE::MediumPieces
+//NEPHOSCOPE::MediumBeside
 
 bool mustGoOn = false; // from the tetrahedron of the present segment
 
@@ -59,25 +59,6 @@ bool findSegment()
     }
   }
   return false;
-}
-
-void prepareMedium()
-{
-  keepSteps();
-  keepUniforms();
-}
-
-// By how many pixels the next attempt passes the centre of the pixel, in the medium that was lost: where one is found, another may be lost.
-int mediumAttempt = 0;
-vec2 beside = vec2(0.0);
-
-void placeBeside()
-{
-  if (lostMedium == mediumNumber || isLastAttempt)
-  {
-    mediumAttempt = isLastAttempt ? lastAttempt : min(mediumAttempt + 1, lastAttempt - 1);
-    beside = besideCentre(mediumAttempt, element(boundaryFaces, max(faceOfFloat(entered[mediumNumber]), 0)).xyz);
-  }
 }
 
 void startMedium()
