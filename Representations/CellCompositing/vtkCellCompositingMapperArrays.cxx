@@ -171,7 +171,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
     vtkWarningMacro(
       << CellsAre(geometry.NumberOfWarpedCells)
       << " drawn wrong: so warped that the tetrahedra they are divided into overlap. Set CellInterpolation to Trilinear, and draw "
-         "layers, an opacity array and overlapping volumes without these cells.");
+         "layers and polygons without these cells.");
   }
   this->WarnAboutFolds(input, geometry);
   // On several processes one may have copies of the others' cells alone.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The beginning of a medium whose rays enter through faces, and may be lost in one: then they pass beside the centre of the pixel.
+// Uses farthestBeside(triangle): pixels by which a ray that enters through this triangle may pass it.
 //NEPHOSCOPE::FaceNumber
 void prepareMedium()
 {
@@ -14,9 +15,18 @@ vec2 beside = vec2(0.0);
 
 void placeBeside()
 {
-  if (lostMedium == mediumNumber || isLastAttempt)
+  if (lostMedium != mediumNumber && !isLastAttempt)
+  {
+    return;
+  }
+  ivec3 triangle = element(boundaryFaces, max(faceOfFloat(entered[mediumNumber]), 0)).xyz;
+  float farthest = farthestBeside(triangle);
+  bool isNear = false;
+  for (int i = 0; i < lastAttempt && !isNear; ++i)
   {
     mediumAttempt = isLastAttempt ? lastAttempt : min(mediumAttempt + 1, lastAttempt - 1);
-    beside = besideCentre(mediumAttempt, element(boundaryFaces, max(faceOfFloat(entered[mediumNumber]), 0)).xyz);
+    beside = besideCentre(mediumAttempt, triangle);
+    isNear = dot(beside, beside) <= farthest * farthest;
   }
+  beside = isNear ? beside : vec2(0.0);
 }

@@ -323,6 +323,12 @@ bool passesWellInside(ivec3 triangle)
   return wayInside(a.xy, b.xy, c.xy, vec3(1.0 / 3.0)) == 0.0;
 }
 
+// By how many pixels a ray may pass its pixel's centre where it enters through a triangle.
+float farthestFrom(ivec3 triangle)
+{
+  return startsAtEye == 0 && passesWellInside(triangle) ? 0.003 : 0.3;
+}
+
 // The cell lies ahead of the ring, which the ray sees counterclockwise.
 bool cellIsAhead()
 {
@@ -354,7 +360,7 @@ void main()
   ivec4 boundaryFace = startPixel();
   // A ray that passes by the face that the rasterizer gave it tries again a little beside.
   makeRay(vec2(0.0));
-  float farthest = startsAtEye == 0 && passesWellInside(boundaryFace.xyz) ? 0.003 : 0.3; // pixels
+  float farthest = farthestFrom(boundaryFace.xyz);
   for (int attempt = 0; attempt < lastAttempt; ++attempt)
   {
     vec2 beside = besideCentre(attempt, boundaryFace.xyz);

@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One of several media along a ray, from tetrahedron to tetrahedron. It follows the parts of RayCells.frag.glsl, whose walk it takes.
 //NEPHOSCOPE::MediumPieces
+
+float farthestBeside(ivec3 triangle)
+{
+  return 1.0;
+}
+
 //NEPHOSCOPE::MediumBeside
 
 bool mustGoOn = false; // from the tetrahedron of the present segment
