@@ -5,6 +5,7 @@
 References: dense samples along the rays, by a formula for rectilinear grids and by VTK's cells for others; for linear fields the
 exact integral over tetrahedra.
 """
+import itertools
 import unittest
 
 import numpy as np
@@ -282,6 +283,23 @@ class TrilinearCells(unittest.TestCase):
                   f"{error.max() * 255:.2f}, {before.max() * 255:.2f}", flush=True)
             self.assertLess(np.percentile(error, 99), np.percentile(before, 99) / 3)
             self.assertLess(error.max(), before.max() / 3)
+
+    def test_optical_depth_of_one_point(self):
+        """One wet point: the integral of its hat function, the volume of a cell. As tetrahedra it is 5/3 or 1/3 of that, for a point of the middle ones and for another."""
+        expected = {True: {1.0}, False: {1 / 3, 5 / 3}}
+        for trilinear, stored in itertools.product((True, False), (lambda data: data, unstructured)):
+            found = []
+            for wet in (2, 3):
+                data = meshes.structured(6, lambda p: p)
+                values = np.zeros((7, 7, 7))
+                values[3, 3, wet] = 1
+                drawn = Drawn(stored(with_values(data, lambda _: values.ravel())), Transfer([(0, 1, 1, 1)], [(0, 0), (1, 1)]), trilinear=trilinear)
+                alpha = drawn.picture((VIEWS["far"][0], data.GetCenter(), 0.8))[..., 3].astype(float)
+                depth = -np.log1p(-alpha).sum() * (1.6 / SIZE)**2
+                found.append(depth / np.prod([(high - low) / 6 for low, high in zip(data.GetBounds()[::2], data.GetBounds()[1::2])]))
+            print(f"  trilinear {trilinear}: {found}", flush=True)
+            wanted = sorted(expected[trilinear]) if len(expected[trilinear]) == 2 else [1.0, 1.0]
+            np.testing.assert_allclose(sorted(found), wanted, rtol=0.02)
 
     def test_the_same_cells_however_stored(self):
         for name, data in (("even", even()), ("rectilinear", rectilinear()), ("tapered", tapered()), ("bent", bent()), ("shell", shell())):
