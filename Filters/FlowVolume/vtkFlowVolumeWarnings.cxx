@@ -246,9 +246,11 @@ void vtkFlowVolume::WarnOfTimeScale(double speed)
   constexpr double much = 8.0;
   auto& state = *this->State;
   const double diagonal = state.Streak.Second->Diagonal;
-  const double seconds = this->Seconds(state.Times.back());
+  const double series = this->Seconds(state.Times.back());
+  const bool endsEarly = this->Duration > 0.0 && this->Duration < series;
+  const double seconds = endsEarly ? this->Duration : series;
   const double way = speed * seconds;
-  const double inStep = way / static_cast<double>(state.Times.size() - 1);
+  const double inStep = speed * series / static_cast<double>(state.Times.size() - 1);
   const bool isLittle = way < (little * diagonal);
   const bool isMuch = inStep > (much * diagonal);
   if (!(way > 0.0) || (!isLittle && !isMuch) || !this->IsToldFirst(state.ToldOfTimeScale))
@@ -256,14 +258,21 @@ void vtkFlowVolume::WarnOfTimeScale(double speed)
     return;
   }
   std::ostringstream moves;
-  isLittle ? moves << "moves by only " << way << " (" << 100.0 * way / diagonal
-                   << " % of the diagonal of the data) in the " << seconds
-                   << " seconds from the first time step to the last"
-           : moves << "crosses the data " << std::round(inStep / diagonal)
-                   << " times between two time steps";
+  if (isLittle)
+  {
+    moves << "moves by only " << way << " (" << 100.0 * way / diagonal
+          << " % of the diagonal of the data) in the " << seconds
+          << (endsEarly ? " seconds of Duration. Lengthen it: it is in seconds."
+                        : " seconds from the first time step to the last.");
+  }
+  else
+  {
+    moves << "crosses the data " << std::round(inStep / diagonal)
+          << " times between two time steps.";
+  }
   vtkWarningMacro("With its speed of "
-    << speed << ", the flow at the generating polygon " << moves.str() << ". TimeScale is "
-    << seconds / (state.Times.back() - state.Times.front())
+    << speed << ", the flow at the generating polygon " << moves.str() << " TimeScale is "
+    << series / (state.Times.back() - state.Times.front())
     << " s per unit of time: set it to 3600 for time steps in hours, to 86400 for days, to "
        "1 for seconds. If the coordinates have another unit of length than the velocity, convert "
        "them.");

@@ -134,8 +134,8 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
   const auto quoted = [](vtkDataArray* array) {
     return std::string("'") + (array->GetName() ? array->GetName() : "(unnamed)") + "'";
   };
-  const std::string names =
-    quoted(scalars.Array) + (opacity.Array ? ", " + quoted(opacity.Array) : "");
+  const std::string names = quoted(scalars.Array) +
+    (opacity.Array && opacity.Array != scalars.Array ? ", " + quoted(opacity.Array) : "");
 
   const bool none = geometry.NumberOfTetrahedra() == 0;
   const std::string leftOut = geometry.NumberOfInvalidCells > 0

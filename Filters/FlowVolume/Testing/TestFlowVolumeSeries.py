@@ -166,6 +166,12 @@ class TimeUnits(unittest.TestCase):
             messages = self.age("", speed)[1]
             self.assertRegex(messages[0], words)
 
+    def test_a_duration_in_hours(self):
+        """Times are in hours, the duration is in seconds."""
+        messages = self.age("hours since 0", 0.5 / 3600, Duration=3)[1]
+        self.assertRegex(messages[0], "moves by only 0.0004.* in the 3 seconds of Duration. Lengthen it: it is in seconds")
+        self.assertEqual(self.age("hours since 0", 0.5 / 3600, Duration=3 * 3600)[1], [])
+
 
 class BadSeries(unittest.TestCase):
     def expect(self, text, source, cells=0, time=None, **settings):

@@ -78,6 +78,9 @@ class Units(unittest.TestCase):
         hours = [float(nephoscope.flow_volume([mesh] * 2, times=[6, 30], **options).cell_data["Age"].max()) for options in ({}, {"time_scale": 3600})]
         self.assertEqual(hours[0], hours[1])
         self.assertEqual(self.told([mesh] * 2, times=[6, 30]), [])
+        del mesh.field_data["TimeValue"]
+        self.assertEqual(float(nephoscope.flow_volume([mesh] * 2, times=[6, 30]).cell_data["Age"].max()), hours[0])
+        mesh.field_data["TimeValue"] = [6.0]
         seconds = nephoscope.flow_volume([mesh] * 2, times=[0, 86400])
         self.assertAlmostEqual(float(seconds.cell_data["Age"].max()) / hours[0], 1)
 

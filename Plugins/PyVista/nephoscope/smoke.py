@@ -111,8 +111,8 @@ def flow_volume(mesh: Grids, polygon: pyvista.PolyData | None = None, *, vectors
     start_time : float, optional
         With `times`: time of the first release, in the unit of `times`. Default: the first time.
     time_scale : float, optional
-        With `times`: seconds per unit of `times`, > 0: 3600 for hours. Default: that of the field array ``time_units`` of the first mesh, if its
-        ``TimeValue`` is the first of `times`, as `read_cf` writes them; otherwise 1.
+        With `times`: seconds per unit of `times`, > 0: 3600 for hours. Default: that of the field array ``time_units`` of the first mesh, such as
+        "hours since 2011-10-11", which `read_cf` writes; otherwise 1, also if ``TimeValue`` of this mesh is not the first of `times`.
 
     Returns
     -------
@@ -321,7 +321,8 @@ def _velocity(mesh: pyvista.DataSet | vtkCompositeDataSet, name: str | None) -> 
 def _time_scale(mesh: Any, times: Numbers | None) -> float:
     """0, which leaves it to the filter, if `times` are in the unit that `mesh` tells: other times may be in seconds."""
     told = getattr(mesh, "field_data", {})
-    return 0.0 if times is not None and "TimeValue" in told and float(told["TimeValue"][0]) == float(times[0]) else 1.0
+    is_other = times is not None and "TimeValue" in told and float(told["TimeValue"][0]) != float(times[0])
+    return 1.0 if times is None or is_other else 0.0
 
 
 def _place(smoke: vtkFlowVolume, meshes: Iterable[Any], velocity: tuple[str, bool], center: Numbers | None,

@@ -182,7 +182,9 @@ std::string SplatScene::DescribeLeftOut(const SplatFields& fields, const std::st
   if (notFinite > 0)
   {
     text = (none ? "Nothing is drawn: " : "") + counted(notFinite) + quoted(fields.Scalars.Array) +
-      (fields.Opacity.Array ? ", " + quoted(fields.Opacity.Array) : "") +
+      (fields.Opacity.Array && fields.Opacity.Array != fields.Scalars.Array
+          ? ", " + quoted(fields.Opacity.Array)
+          : "") +
       " or a coordinate is not finite there. " + remedy;
   }
   if (this->Samples.NumberOfWrongSizes > 0)
