@@ -164,8 +164,7 @@ public:
    * - Trilinear: the field of VTK's cells, which favours no diagonal, however the cells are stored.
    *   Along a ray it is cut into pieces that are linear to within 1/512 of the scalar's range.
    *   Unstructured cells then need no list of tetrahedra. It requires rays, and excludes layers,
-   *   polygons, overlapping volumes and cells of other kinds; otherwise cells are drawn as
-   *   tetrahedra.
+   *   polygons and cells of other kinds; otherwise cells are drawn as tetrahedra.
    */
   vtkSetClampMacro(CellInterpolation, int, TETRAHEDRA_INTERPOLATION, AUTOMATIC_INTERPOLATION);
   vtkGetMacro(CellInterpolation, int);

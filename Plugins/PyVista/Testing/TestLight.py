@@ -443,6 +443,14 @@ class Water(unittest.TestCase):
             with self.subTest(text), self.assertRaisesRegex(error, text):
                 nephoscope.add_cells(pyvista.Plotter(), mesh, sun=sun)
 
+    def test_water_without_temperature(self):
+        """The message also says how an extinction is named."""
+        mesh = pyvista.ImageData(dimensions=(6, 6, 6))
+        mesh["qc"], mesh["ext"] = np.full(mesh.n_points, 1e-3), np.full(mesh.n_points, 0.1)
+        with self.assertRaisesRegex(RuntimeError, r"density of the air.* name an array of the extinction coefficient.* by sun\['extinction'\]"):
+            nephoscope.add_cells(pyvista.Plotter(), mesh, "qc", sun=(1, 0, 1))
+        nephoscope.add_cells(pyvista.Plotter(), mesh, "qc", sun={"direction": (1, 0, 1), "extinction": "ext"})
+
     def test_data_without_water(self):
         """The message names an array of the mesh as the extinction, in a sun that draws it; no class that the user has not called."""
         mesh = pyvista.ImageData(dimensions=(6, 6, 6))

@@ -295,7 +295,8 @@ def _with_optics(mesh: pyvista.DataSet, of_water: dict[str, Any], direction: Num
         return optics_of(mesh, _option, **of_water)
     except RuntimeError as problem:
         if "There is no array of cloud water" not in str(problem):
-            raise
+            other = " Or name an array of the extinction coefficient, per unit of length of the mesh, by sun['extinction']." if "which is needed" in str(problem) else ""
+            raise RuntimeError(f"{problem}{other}") from None
         raise RuntimeError(f"sun needs an extinction, and the mesh has neither an array 'Extinction' nor cloud water. {_other_extinction(mesh, direction, time)} "
                            "Or name the cloud water by sun['water'], or by sun['liquid'] and sun['ice'], with sun['temperature'] and sun['pressure']. "
                            f"{arrays_of(mesh)}") from None

@@ -233,6 +233,9 @@ void AddDensity(TexturedSurface& result, vtkPolyData* input, const std::string& 
       AddShares(result, input, name, "density", densityArrayName, 1e30f,
         "has values that are not a density, >= 0 and finite: they count as 0 or as 1e30. Change them, or choose another array. ") !=
       nullptr;
+    result.Error += result.Error.empty()
+      ? ""
+      : " If it is the array of a density volume, choose this volume too.";
   }
 }
 

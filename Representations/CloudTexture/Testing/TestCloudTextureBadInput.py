@@ -68,7 +68,7 @@ class BadInput(TextureTestCase):
             mapper.UseThicknessOn()
             mapper.SetDensityArrayName("density")
 
-        self.expect('no point array "density" for the density', sheet(CORNERS, ONE_SET), with_density)
+        self.expect('no point array "density" for the density. Choose an existing one, or convert cell data to point data. If it is the array of a density volume, choose this volume too', sheet(CORNERS, ONE_SET), with_density)
         for bad in (-0.5, np.nan, np.inf):
             data = sheet(CORNERS, ONE_SET)
             values = np.full(data.GetNumberOfPoints(), 0.5)
