@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DensityTetrahedra.h"
 
+#include "ChessboardDivision.h"
 #include "DensityVolume.h"
 #include "TetrahedronSource.h"
 
@@ -43,7 +44,8 @@ class DensityWalker
 public:
   explicit DensityWalker(const DensityBlock& block)
     : Block(block)
-    , Source(block.Data)
+    , Divisions(ChessboardDivision(block.Data))
+    , Source(block.Data, this->Divisions)
   {
   }
 
@@ -92,6 +94,7 @@ private:
   }
 
   const DensityBlock& Block;
+  vtkSmartPointer<vtkUnsignedCharArray> Divisions; // as in a grid, so that storage does not matter
   TetrahedronSource Source;
 };
 }

@@ -146,6 +146,19 @@ class Kinds(CellsTestCase):
         self.assertGreater(pictures[0].max(), 0.2)
         self.assertLessEqual(np.abs(pictures[1] - pictures[0]).max(), 1.01 / 255)
 
+    def test_as_a_grid_and_as_cells(self):
+        """Random densities: hexahedra are divided in the same way."""
+        values = np.random.default_rng(7).uniform(0, 4, 5 * 6 * 7)
+        for warp in (spread, curved):
+            grid = with_density(meshes.structured((4, 5, 6), warp), lambda p: values)
+            pictures = []
+            for volume in (grid, unstructured(grid), blocks(unstructured(grid))):
+                window, _, _, _ = self.cloud(volume)
+                pictures.append(self.draw(window))
+            self.assertGreater(np.ptp(pictures[0]), 0.2)
+            for picture in pictures[1:]:
+                self.assertLessEqual(np.abs(picture - pictures[0]).max(), 1.01 / 255)
+
     def test_cell_arrays(self):
         """One density in each cell: a slab is as dense as it is; of an image as well."""
         layers = np.array((1.0, 0.0, 3.0, 0.5))
