@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One of several media along a ray, from hexahedron to hexahedron. It follows the parts of RayHexahedra.frag.glsl, whose walk it takes.
 bool inSegment = false;
+const bool mayOverlapItself = true;
 
 //NEPHOSCOPE::MediumPieces
 

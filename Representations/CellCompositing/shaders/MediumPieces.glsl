@@ -4,7 +4,7 @@
 // A walk finds the segments over which its scalars are linear: RayMedium.glsl, HexahedronMedium.glsl, VoxelMedium.glsl. Every medium has all of these names with its
 // number (ShaderInstance.h).
 // Places along the ray are distances from the plane in which the first medium's rays start, away from the eye.
-// Constant: mediumNumber.
+// Constants: mediumNumber, mayOverlapItself.
 uniform float mediumPlace; // of the plane in which this medium's rays start
 
 float placePerDistance = 1.0; // along this ray, of this medium's coordinates
@@ -217,7 +217,7 @@ void addMedium(float from, float to)
 // What is left of a stretch of mesh where the next one begins: parts of a mesh that overlap are composited one after the other.
 void finishMedium(float place)
 {
-  bool overlaps = (int(plan.z) >> mediumNumber & 1) != 0;
+  bool overlaps = mayOverlapItself && (int(plan.z) >> mediumNumber & 1) != 0;
   for (int i = 0; i < maximumSteps && overlaps && !mediumEnds && pieceFrom < mediumRange.y; ++i)
   {
     float from = max(max(pieceFrom, place), mediumRange.x);

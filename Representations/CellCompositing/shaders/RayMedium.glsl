@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One of several media along a ray, from tetrahedron to tetrahedron. It follows the parts of RayCells.frag.glsl, whose walk it takes.
+const bool mayOverlapItself = true;
 //NEPHOSCOPE::MediumPieces
 
 float farthestBeside(ivec3 triangle)

@@ -10,6 +10,7 @@ uniform int maximumSteps;
 float unity = 0.0; // RayCells.frag.glsl says why uniforms are copied
 bool inSegment = false;
 const bool walkIsLost = false;
+const bool mayOverlapItself = false;
 
 //NEPHOSCOPE::Constants
 //NEPHOSCOPE::TransferFunction
