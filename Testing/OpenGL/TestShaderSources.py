@@ -158,6 +158,29 @@ class ShaderSources(unittest.TestCase):
         self.assertGreater(self.compiled, 100)
         self.check_variants()
 
+    def test_several_volumes(self):
+        """Walks of every kind in step, and volumes in slices of depth."""
+        stretched = meshes.with_field(meshes.rectilinear([np.array([0, 0.3, 1])] * 3), lambda p: p[:, 0])
+        bent = meshes.with_field(meshes.structured(2, lambda p: p), lambda p: p[:, 1])
+        kinds = {"voxels": (grid("image"), {}), "grid": (bent, {}), "trilinear grid": (stretched, dict(CellInterpolation=1)), "tetrahedra": (grid("tetra"), {}),
+                 "hexahedra": (grid("hexahedron"), {}), "trilinear hexahedra": (grid("hexahedron"), dict(CellInterpolation=1))}
+        for hazed in (False, True):
+            window = Window((16, 16))
+            for first, second in list(zip(kinds, list(kinds)[1:])) + [("voxels", "splats"), ("trilinear grid", "splats"), ("tetrahedra", "splats")]:
+                scene = window.add_scene()
+                mappers = [cells("Automatic", **kinds[first][1]), splats() if second == "splats" else cells("Automatic", **kinds[second][1])]
+                scene.add_volume(mappers[0], kinds[first][0], RAMP)
+                scene.add_volume(mappers[1], grid("image") if second == "splats" else kinds[second][0], LONG)
+                draw(window, scene, hazed=hazed)
+                draw_between_and_cut(window, scene, mappers[0])
+                scene.renderer.RemoveAllViewProps()
+                window.window.RemoveRenderer(scene.renderer)
+            self.collect(window)
+        print(f"  {self.compiled} shaders")
+        for walk in ("bool findCell_", "bool crossNextCell_", "void sampleTetrahedron_"):
+            self.assertTrue(any(walk in text for text in self.fragments), walk)
+        self.assertTrue(any("#define IN_SLICES" in text for text in self.fragments))
+
     def check_variants(self):
         """Among the shaders is each way of drawing, between peeled surfaces and not, clipped and not."""
         for way, peeling, values in (("vec2 betweenPlanes()", "useDepthRanges", ("false",)),
