@@ -45,8 +45,9 @@
  * - SmoothDensity, double: the mean Density of the cells at the point, by their volume, for
  *   drawing. Interpolated linearly it has the same mass.
  * Field data are passed on. Unsteady smoke has one more field array, of one double: InitialDensity,
- * to which drawing refers the density, so that the pictures of a film are comparable. At its first
- * time there are no cells, and the field array BoundsToCome has the six bounds of the data.
+ * to which drawing refers the density, so that the pictures of a film are comparable. Up to the
+ * first release there are no cells, and the field array BoundsToCome has the six bounds of the
+ * data.
  *
  * Moving the polygon or changing a setting is fast: the search structure of the input is kept until
  * the input changes.
@@ -332,9 +333,10 @@ public:
   ///@{
   /**
    * Unsteady: seconds per unit of the pipeline's time, 3600 for time steps in hours. 0 (default):
-   * of the unit in the field array `time_units` of the first time step, as readers of NetCDF files
-   * write it ("hours since 2011-10-11"), otherwise 1. A warning says if the flow hardly moves in
-   * the whole series, or crosses the data several times between two time steps.
+   * the seconds in the unit that the field array `time_units` of the first time step names, as
+   * readers of NetCDF files write it ("hours since 2011-10-11"); 1 if there is no such array. A
+   * warning appears if the flow hardly moves in the whole series, or crosses the data several
+   * times between two time steps.
    */
   vtkSetMacro(TimeScale, double);
   vtkGetMacro(TimeScale, double);

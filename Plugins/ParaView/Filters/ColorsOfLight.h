@@ -13,8 +13,9 @@ class vtkSMSourceProxy;
 namespace nephoscope
 {
 /**
- * What vtkSunlight says, less for smoke; 0 where white stays what it is. Thin smoke sends less
- * light than clouds: in their colours it would be grey.
+ * The light that is drawn white: WhiteLight of vtkSunlight; for smoke 0.7 times its greatest light,
+ * at most 0.6. 0: the range of the colours does not change. Thin smoke sends less light than
+ * clouds: in their colours it would be grey.
  */
 double LightThatIsWhite(vtkPVDataInformation* data, const std::string& array);
 

@@ -5,9 +5,9 @@
  * @brief vtkFlowVolume with an initial position for ParaView's panel
  *
  * The smoke is that of vtkFlowVolume. The polygon stays in fast flow until the user moves it: an
- * update places it again if the bounds of the input have changed otherwise than with the time, and
- * until there is a flow. On
- * several ranks FindPlace must be called on all of them, as ParaView does.
+ * update places it again if the bounds of the input have changed for a reason other than time. If
+ * nothing flows, every update tries again. On several ranks FindPlace must be called on all of
+ * them, as ParaView does.
  */
 #ifndef vtkPVFlowVolume_h
 #define vtkPVFlowVolume_h

@@ -15,7 +15,7 @@ _watched: "weakref.WeakSet[pyvista.BasePlotter]" = weakref.WeakSet()
 
 
 def peel_when_needed(plotter: pyvista.BasePlotter) -> None:
-    """Turns peeling on before the first picture in which a renderer has a visible volume and a visible translucent mesh.
+    """Turns peeling on before the first picture in which a renderer has a visible volume of cells or splats and a visible translucent mesh.
 
     It is done once for each renderer, so that `disable_depth_peeling` stays in effect afterwards. Multisampling of the window is turned off, because VTK
     does not peel with it.

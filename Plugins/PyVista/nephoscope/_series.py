@@ -47,7 +47,7 @@ class Series(VTKPythonAlgorithmBase):
         self.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)  # the failure is raised
 
     def meshes(self) -> Iterator[pyvista.DataSet]:
-        """Those of all times, in their order, until no more are needed."""
+        """Yields the mesh of each time in order, each read on demand."""
         yield self.first
         yield from (dataset(self._read(time), "mesh") for time in self.times[1:])
 

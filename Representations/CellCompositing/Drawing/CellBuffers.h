@@ -52,7 +52,7 @@ public:
    * RaySegments.glsl; otherwise they are not defined.
    */
   std::string SmallTableDefinition() const;
-  /** Whether all of the transfer function is in uniforms, and has so many nodes at most. */
+  /** Whether all of the transfer function is in uniforms, and has at most `most` nodes. */
   bool HasSmallTables(std::size_t most) const;
   void SetSmallTable(vtkShaderProgram* program, int instance = -1) const;
 

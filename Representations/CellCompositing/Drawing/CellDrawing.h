@@ -62,9 +62,9 @@ struct CellDrawing
   std::string ShaderConstants() const { return this->OwnConstants() + this->CommonConstants(); }
   /** The same constants without those common to everything that the renderer draws. */
   std::string OwnConstants() const;
-  /** The first for one of several media. */
+  /** OwnConstants and, if the transfer function is small, its table: for one of several media. */
   std::string MediumConstants() const;
-  /** The others, which are the same for all media. */
+  /** The constants that are the same for all media. */
   std::string CommonConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */
   void SetUniforms(vtkShaderProgram* program) const;

@@ -98,7 +98,7 @@ private:
   /** The walk as one of several in a shader (ShaderInstance.h). */
   std::string MediumShader(const CellDrawing& drawing, int instance) const;
   void SetWalk(const CellDrawing& drawing, vtkShaderProgram* program, int instance);
-  /** Those pixels that are one owner's (RayOwners.frag.glsl). */
+  /** Draws only the pixels of this owner (RayOwners.frag.glsl). */
   std::string DrawOwned(const CellDrawing& drawing, vtkTextureObject* owners, int owner);
   bool StartsAtEye(const EyeTetrahedron& eye) const;
   void DrawLayers(const CellDrawing& drawing);

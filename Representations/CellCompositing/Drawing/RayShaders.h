@@ -27,7 +27,7 @@ std::string HexahedraShader(bool structured);
 /** From cell to cell of a grid with evenly spaced points. */
 std::string VoxelsShader();
 ///@{
-/** The same as one of several media in a shader, without what all have in common. */
+/** The walks above, each for one of several media in a shader, without the common code. */
 std::string TetrahedraMediumShader(TetrahedronTopology topology);
 std::string HexahedraMediumShader(bool structured);
 std::string VoxelsMediumShader();

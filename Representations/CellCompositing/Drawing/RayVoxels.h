@@ -43,8 +43,8 @@ public:
   std::string UploadContoured(
     vtkOpenGLRenderWindow* window, const CellGeometry& geometry, const std::vector<float>& scalars);
   /**
-   * Draws into the bound framebuffer, which holds a transparent image. With owners of pixels, only
-   * those of one of them.
+   * Draws into the bound framebuffer, which holds a transparent image. If
+   * `owners` is given, draws only the pixels that belong to `owner`.
    */
   std::string Draw(const CellDrawing& drawing, vtkTextureObject* owners = nullptr, int owner = 0);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The beginning of a medium whose rays enter through faces, and may be lost in one: then they pass beside the centre of the pixel.
-// Uses farthestBeside(triangle): pixels by which a ray that enters through this triangle may pass it.
+// Uses farthestBeside(triangle): the greatest distance from the centre, in pixels, at which a ray that enters through this triangle may pass.
 //NEPHOSCOPE::FaceNumber
 void prepareMedium()
 {

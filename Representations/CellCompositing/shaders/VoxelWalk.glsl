@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A ray on its way through the cells of an evenly spaced grid.
+// Integrates light along a ray through the cells of an evenly spaced grid (VoxelCells.glsl).
+
 // A piece along which colour and opacity are linear, and which is thin.
 void addLinear(vec4 front, vec4 back, vec2 ways)
 {

@@ -72,7 +72,8 @@ public:
   bool OnlyFrontFaces() const { return this->IsKnown && !this->EyeMayBeInside && this->IsClosed; }
   /** Which of them OpenGL takes for front faces. */
   bool FrontFacesAreFront() const { return this->FrontIsFront; }
-  /** Whether this OpenGL ends the shader early, so that ways through the volume miss a part. */
+  /** Whether OpenGL ended a loop early even with the most parts: some rays miss part of the volume.
+   */
   bool CutsWays() const { return this->IsKnown && !this->WaysAreWhole; }
   bool HasMore() const { return this->IsKnown && !this->HasLists && this->Layers.HasMore(); }
 

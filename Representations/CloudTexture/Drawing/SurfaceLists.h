@@ -39,7 +39,7 @@ public:
 
   /**
    * Calls paint(face, part) to change the lists: the shader CloudDepths, over all pixels, for each
-   * face of the longest list and each of its way's parts. False: a part was too long.
+   * face of the longest list and each part of the ray behind it. False: OpenGL ended a loop early.
    */
   bool Rewrite(const SurfaceLayers::Request& request, int parts,
     const std::function<void(int face, int part)>& paint);

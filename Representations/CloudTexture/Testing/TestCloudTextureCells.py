@@ -247,7 +247,7 @@ def fan(points):
 
 
 class ManyCells(CellsTestCase):
-    """Mesa's software OpenGL ends all loops of a shader after 65535 rounds: rays lost what came after them."""
+    """Mesa's software OpenGL ends all loops of a shader after 65,535 iterations: rays lost what came after them."""
 
     def in_fan(self, wedges):
         volume = with_density(meshes.structured((wedges, 3, 3), fan), lambda p: 1 + 0 * p[:, 0])

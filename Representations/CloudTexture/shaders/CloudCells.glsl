@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mean density of cells along a part of a ray, or a part of it that is at least `enough`: from bin to bin, and in each bin in all tetrahedra that touch it. In a tetrahedron density is
+// Mean density of cells along a part of a ray, or, if the mean exceeds `enough`, any value between the two: from bin to bin, and in each bin in all tetrahedra that touch it. In a tetrahedron density is
 // linear, so that the mean of its two ends times the length is exact. Outside of the cells it is 0.
 //
 // Places are seen along the ray: two coordinates across it, as whole numbers below 2^23, and the share of the way. An edge passes the ray on its left or
@@ -71,7 +71,7 @@ void crossTetrahedron(vec3 a, vec3 b, vec3 c, vec3 d, vec4 densities)
   vec3 fromA = vec3(edgeArea(a, b, leftA.x), edgeArea(a, c, leftA.y), edgeArea(a, d, leftA.z));
   vec3 others = vec3(edgeArea(b, c, leftB.x), edgeArea(b, d, leftB.y), edgeArea(c, d, leftB.z));
   // At most once: software OpenGL does both sides of a condition, but no loop that nobody is in. One for all edges, as Mesa ends every loop of a
-  // shader when they have made 65535 rounds in all.
+  // shader when they have made 65,535 iterations in all.
   while (cloudIsClose)
   {
     ivec2 p = ivec2(a.xy), q = ivec2(b.xy), r = ivec2(c.xy), s = ivec2(d.xy);

@@ -3,11 +3,10 @@
 #version 150
 #extension GL_ARB_shader_image_load_store : require
 #extension GL_ARB_shading_language_420pack : require
-// Replaces the densities in the lists of faces by optical depths along the way through a density volume. Here each ray is walked
-// once: the surface's own triangles are often smaller than the blocks of pixels that processors run together, and peels draw them many times.
-// One face of each list and one part of its way in a drawing: Mesa ends every loop of a shader when they have made 65535 rounds in all.
+// Replaces the densities in the lists of faces by optical depths along the way through a density volume, once per picture: the surface's own triangles are often smaller than the blocks of pixels that processors run together, and peels draw them many times.
+// One face of each list and one part of its way in a drawing: Mesa ends every loop of a shader when they have made 65,535 iterations in all.
 //   in:  heads and nodes, as SurfaceLists.frag.glsl has written them
-//   out: nodes, with the optical depth of the cloud that starts at the face, noThickness where nothing ends it
+//   out: nodes, with the optical depth of the cloud that starts at the face; noThickness if none starts there, or nothing ends it
 //        heads: in the first row above the number of nodes, the length of the longest list; in the next, `parts` if a loop was ended in a way
 layout(binding = 0, r32ui) uniform uimage2D heads;
 layout(binding = 1, rgba32f) uniform image2D nodes;

@@ -4,8 +4,8 @@
 //   findCloud    in:  place of the fragment in view coordinates, density there, which way the face looks; the layers of the surface
 //                out: whether a cloud starts at the fragment
 //   cloudDepth   in:  the same; whether the cloud is seen; optical depth of a layer, for where nothing ends the cloud
-//                out: optical depth, and from cloudEnough on any that is as large
-// Two functions, so that depth peeling calls the dear one only for its fragments of a peel.
+//                out: optical depth; if it exceeds cloudEnough, any value between the two
+// Two functions, so that depth peeling calls the expensive one only for the fragments of the present peel.
 // A back face without a front face before it ends a cloud that the eye is in: it starts at the near plane. Where the eye is in none, the
 // surface is open before it.
 // Constants: hasDensity, hasDensityVolume, hasDepths: the layers have optical depths in place of densities, from CloudDepths.frag.glsl.

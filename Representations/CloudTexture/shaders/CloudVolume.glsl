@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Mean density of an image along a part of a ray, from voxel to voxel, or a part of it that is at least `enough`. In a voxel the density is trilinear, and
+// Mean density of an image along a part of a ray, from voxel to voxel, or, if the mean exceeds `enough`, any value between the two. In a voxel the density is trilinear, and
 // so a cubic of the way along a ray, which Gauss's rule of two points integrates exactly. Outside of the image it is 0.
 // Constant: hasCorners, whether each texel has the densities at four corners of its voxel, those at low z.
 uniform sampler3D cloudVolume;
