@@ -18,9 +18,7 @@ using nephoscope::WithThreads;
 
 namespace
 {
-/**
- * `hasParts`: polygons or layers, which need tetrahedra.
- */
+// `hasParts`: polygons or layers, which need tetrahedra.
 CellGeometry::Form FormOfCells(bool byRays, bool hasParts, int interpolation)
 {
   using Form = CellGeometry::Form;

@@ -50,11 +50,12 @@ std::string CellDrawing::OwnConstants() const
     ShaderConstant("useDepthRanges", this->Peel != nullptr) + this->Options.Planes.Definition();
 }
 
-std::string CellDrawing::MediumConstants() const
+std::string CellDrawing::MediumConstants(int number) const
 {
   constexpr std::size_t few = 12; // four media have a thousand numbers in uniforms
   const bool isSmall = this->Options.SplitAtControlPoints && this->Buffers.HasSmallTables(few);
-  return (isSmall ? this->Buffers.SmallTableDefinition() : "") + this->OwnConstants();
+  return (isSmall ? this->Buffers.SmallTableDefinition() : "") + this->OwnConstants() +
+    "const int mediumNumber = " + std::to_string(number) + ";\n";
 }
 
 std::string CellDrawing::CommonConstants() const

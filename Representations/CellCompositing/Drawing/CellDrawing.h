@@ -62,8 +62,8 @@ struct CellDrawing
   std::string ShaderConstants() const { return this->OwnConstants() + this->CommonConstants(); }
   /** The same constants without those common to everything that the renderer draws. */
   std::string OwnConstants() const;
-  /** OwnConstants and, if the transfer function is small, its table: for one of several media. */
-  std::string MediumConstants() const;
+  /** For one of several media: its number, OwnConstants, and the table of a small function. */
+  std::string MediumConstants(int number) const;
   /** The constants that are the same for all media. */
   std::string CommonConstants() const;
   /** Binds the shared textures and sets the uniforms that every fragment shader of cells has. */

@@ -168,8 +168,7 @@ std::string RayCells::MediumShader(const CellDrawing& drawing, int instance) con
   {
     return this->Voxels.MediumShader(drawing, instance);
   }
-  const std::string constants = drawing.MediumConstants() + this->OwnConstants() +
-    "const int mediumNumber = " + std::to_string(instance) + ";\n";
+  const std::string constants = drawing.MediumConstants(instance) + this->OwnConstants();
   const std::string text = this->DrawsHexahedra(drawing)
     ? HexahedraMediumShader(!this->Grid.IsEmpty())
     : TetrahedraMediumShader(this->GetTopology());

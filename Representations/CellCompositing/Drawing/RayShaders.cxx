@@ -23,13 +23,13 @@
 #include "RayContoursShader.h"
 #include "RayEntryShader.h"
 #include "RayHexahedraFragment.h"
-#include "RayMediumShader.h"
 #include "RayRangeShader.h"
 #include "RaySegmentsShader.h"
 #include "RayStartShader.h"
 #include "RaySurfacesShader.h"
 #include "RayTetrahedronShader.h"
 #include "RayVoxelsFragment.h"
+#include "TetrahedronMediumShader.h"
 #include "TetrahedronWalkShader.h"
 #include "VisibleDepthsShader.h"
 #include "VoxelCellsShader.h"
@@ -105,7 +105,7 @@ std::string VoxelsShader()
 
 std::string TetrahedraMediumShader(TetrahedronTopology topology)
 {
-  return WithTetrahedra(AsMedium(RayCellsFragment, RayMediumShader), topology);
+  return WithTetrahedra(AsMedium(RayCellsFragment, TetrahedronMediumShader), topology);
 }
 
 std::string HexahedraMediumShader(bool structured)

@@ -146,9 +146,8 @@ bool RayVoxels::CanDraw(const CellDrawing& drawing) const
 
 std::string RayVoxels::MediumShader(const CellDrawing& drawing, int instance) const
 {
-  const std::string constants = drawing.MediumConstants() +
-    ShaderConstant("trilinear", drawing.Options.Trilinear) +
-    "const int mediumNumber = " + std::to_string(instance) + ";\n";
+  const std::string constants =
+    drawing.MediumConstants(instance) + ShaderConstant("trilinear", drawing.Options.Trilinear);
   return ShaderInstance(SpecializedShader(VoxelsMediumShader(), constants), instance);
 }
 

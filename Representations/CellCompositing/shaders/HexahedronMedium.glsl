@@ -5,13 +5,6 @@ bool inSegment = false;
 const bool mayOverlapItself = true;
 
 //NEPHOSCOPE::MediumPieces
-
-float farthestBeside(ivec3 triangle)
-{
-  makeRay(vec2(0.0));
-  return farthestFrom(triangle);
-}
-
 //NEPHOSCOPE::MediumBeside
 
 int exitOfCell = -1; // out of the present cell

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One of several media along a ray, in pieces over which its colour and extinction are linear, and gaps between them where nothing is seen.
-// A walk finds the segments over which its scalars are linear: RayMedium.glsl, HexahedronMedium.glsl, VoxelMedium.glsl. Every medium has all of these names with its
+// A walk finds the segments over which its scalars are linear: TetrahedronMedium.glsl, HexahedronMedium.glsl, VoxelMedium.glsl. Every medium has all of these names with its
 // number (ShaderInstance.h).
 // Places along the ray are distances from the plane in which the first medium's rays start, away from the eye.
 // Constants: mediumNumber, mayOverlapItself.

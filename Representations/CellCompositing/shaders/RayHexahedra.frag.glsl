@@ -324,8 +324,9 @@ bool passesWellInside(ivec3 triangle)
 }
 
 // By how many pixels a ray may pass its pixel's centre where it enters through a triangle.
-float farthestFrom(ivec3 triangle)
+float farthestBeside(ivec3 triangle)
 {
+  makeRay(vec2(0.0));
   return startsAtEye == 0 && passesWellInside(triangle) ? 0.003 : 0.3;
 }
 
@@ -359,8 +360,7 @@ void main()
 {
   ivec4 boundaryFace = startPixel();
   // A ray that passes by the face that the rasterizer gave it tries again a little beside.
-  makeRay(vec2(0.0));
-  float farthest = farthestFrom(boundaryFace.xyz);
+  float farthest = farthestBeside(boundaryFace.xyz);
   for (int attempt = 0; attempt < lastAttempt; ++attempt)
   {
     vec2 beside = besideCentre(attempt, boundaryFace.xyz);

@@ -3,7 +3,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Light of several media that may overlap in space, along a pixel's ray: extinctions add, and every medium emits in proportion to its own.
-// The ray walks through all meshes in step, from one place to the next where any of them has a new piece (RayMedium.glsl).
+// The ray walks through all meshes in step, from one place to the next where any of them has a new piece (TetrahedronMedium.glsl).
 //   in:  what a round is to draw (RayPlan.frag.glsl)
 //   out: premultiplied colour and alpha, front to back
 //NEPHOSCOPE::Arrays

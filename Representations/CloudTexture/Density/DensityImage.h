@@ -36,8 +36,7 @@ public:
 
 private:
   void Read(vtkDataArray* array);
-  /** Whether texels have the corners of voxels: a fourth of the fetches for four times the memory.
-   */
+  /** Whether texels have the corners of voxels: fewer fetches, for four times the memory. */
   bool HasCorners() const;
   std::vector<float> Corners() const;
 

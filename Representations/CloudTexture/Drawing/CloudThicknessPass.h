@@ -72,8 +72,7 @@ public:
   bool OnlyFrontFaces() const { return this->IsKnown && !this->EyeMayBeInside && this->IsClosed; }
   /** Which of them OpenGL takes for front faces. */
   bool FrontFacesAreFront() const { return this->FrontIsFront; }
-  /** Whether OpenGL ended a loop early even with the most parts: some rays miss part of the volume.
-   */
+  /** Whether OpenGL ended loops early even with the most parts: rays miss some of the cells. */
   bool CutsWays() const { return this->IsKnown && !this->WaysAreWhole; }
   bool HasMore() const { return this->IsKnown && !this->HasLists && this->Layers.HasMore(); }
 

@@ -73,7 +73,7 @@ def dense(volumes, view, samples=1500):
     return rgba.reshape(view.height, view.width, 4)
 
 
-class VoxelMedia(unittest.TestCase):
+class TrilinearMedia(unittest.TestCase):
     def check(self, image, expected, label, tolerance=STEP, most=0):
         """At most so many pixels differ by more."""
         self.assertGreater(expected[..., 3].max(), 0.05, label)
