@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TransferFunctionTable.h"
 
+#include "JoinedIntervals.h"
 #include "ScalarSelection.h"
 
 #include "vtkColorTransferFunction.h"
@@ -19,10 +20,15 @@ namespace nephoscope
 {
 namespace
 {
-// At the places looked at; 1 / 2000 then holds between them. For opacity it is a fraction of the
+// At the places looked at; 1 / 4000 then holds between them. For opacity it is a fraction of the
 // opacity itself, down to a small fraction of the largest: however large the scale, the error of
 // the optical depth is a small part of it.
-constexpr double curveTolerance = 1.0 / 2500;
+constexpr double curveTolerance = 1.0 / 5000;
+// Intervals are joined where there are more nodes than this, so that frames take less time.
+constexpr std::size_t fewNodes = 16;
+constexpr double curveError = 1.0 / 4000;
+constexpr double joinedOpacity = 1.0 / 2000 - curveError;
+constexpr double halfStep = 1.0 / 510; // of an 8-bit display, the largest error of joined colors
 constexpr float leastOpacity = 1e-6f;
 constexpr int largestDepth = 12; // the finest piece is 1/4096 of the way between two control points
 
@@ -326,6 +332,11 @@ void TransferFunctionTable::Build(
     const bool outside = k == 0 || k == nodes.size();
     const Value middle = sample(0.5 * low + 0.5 * high);
     this->Intervals.push_back(outside ? Interval{ middle, middle } : Limits(sample, low, high));
+  }
+  if (nodes.size() > fewNodes)
+  {
+    const bool curved = nodes.size() > controlPoints.size();
+    JoinIntervals(nodes, this->Intervals, curved ? halfStep - curveError : halfStep, joinedOpacity);
   }
   this->Widths.clear();
   for (std::size_t k = 0; k < nodes.size(); ++k)

@@ -25,6 +25,7 @@ namespace
 {
 constexpr double curved =
   1.0 / 2000; // documented tolerance between control points of curved functions
+constexpr double manyNodes = 1.0 / 510 + 1e-6; // of colours where there are more than 16 nodes
 constexpr double linear = 2e-6;
 
 class Functions
@@ -166,12 +167,18 @@ TEST(TransferFunctionTable, MidpointAndSharpness)
   {
     for (const double midpoint : { 0.1, 0.5, 0.8 })
     {
-      Functions f;
-      f.Opacity->AddPoint(0, 0.1, midpoint, sharpness);
-      f.Opacity->AddPoint(1, 0.9);
+      Functions f, opacityOnly;
+      for (const Functions* functions : { &f, &opacityOnly })
+      {
+        functions->Opacity->AddPoint(0, 0.1, midpoint, sharpness);
+        functions->Opacity->AddPoint(1, 0.9);
+      }
       f.Color->AddRGBPoint(0, 0, 0.2, 1, midpoint, sharpness);
       f.Color->AddRGBPoint(1, 1, 0.5, 0);
-      EXPECT_LE(LargestError(random, f.Build(0, 1), f, 0, 1), curved)
+      opacityOnly.Color->AddRGBPoint(0, 1, 1, 1);
+      EXPECT_LE(LargestError(random, f.Build(0, 1), f, 0, 1), manyNodes)
+        << "midpoint " << midpoint << ", sharpness " << sharpness;
+      EXPECT_LE(LargestError(random, opacityOnly.Build(0, 1), opacityOnly, 0, 1), curved)
         << "midpoint " << midpoint << ", sharpness " << sharpness;
     }
   }
@@ -202,7 +209,7 @@ TEST(TransferFunctionTable, ColorSpaces)
       largest = std::max(largest, LargestError(random, f.Build(0, 3), f, 0, 3));
     }
     std::cout << name << ": largest error " << largest << std::endl;
-    EXPECT_LE(largest, curved) << name;
+    EXPECT_LE(largest, manyNodes) << name;
   }
 }
 
@@ -231,7 +238,35 @@ TEST(TransferFunctionTable, LogarithmicScale)
     }
   }
   std::cout << "four decades: largest error " << largest << std::endl;
-  EXPECT_LE(largest, curved);
+  EXPECT_LE(largest, manyNodes);
+}
+
+// Colours as PyVista's: 256 nodes, rounded to 8 bits.
+TEST(TransferFunctionTable, ManyNodesAreJoined)
+{
+  Random random(70);
+  const auto build = [](int count, Functions& f) {
+    for (int i = 0; i < count; ++i)
+    {
+      const double x = double(i) / (count - 1);
+      const auto rounded = [](double c) { return std::round(255 * (0.5 + 0.5 * c)) / 255; };
+      f.Color->AddRGBPoint(
+        x, rounded(std::sin(4 * x)), rounded(std::cos(3 * x)), rounded(std::sin(1 + 2 * x)));
+      f.Opacity->AddPoint(x, x);
+    }
+    return f.Build(0, 1);
+  };
+  Functions many, few;
+  const TransferFunctionTable joined = build(256, many);
+  EXPECT_LE(joined.Nodes.size(), 32u);
+  EXPECT_LE(LargestError(random, joined, many, 0, 1), manyNodes);
+  for (const float s : { 0.001f, 0.1f, 0.5f, 0.9f })
+  {
+    EXPECT_NEAR(joined.Evaluate(s)[3] / s, 1, curved);
+  }
+  const TransferFunctionTable kept = build(16, few);
+  EXPECT_EQ(kept.Nodes.size(), 16u);
+  EXPECT_LE(LargestError(random, kept, few, 0, 1), linear);
 }
 
 class DiscretisedColors : public ::testing::TestWithParam<bool>
