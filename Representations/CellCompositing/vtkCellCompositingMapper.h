@@ -155,9 +155,9 @@ public:
   /**
    * The scalar inside hexahedra, voxels, wedges and pyramids, where it belongs to points. Default:
    * automatic.
-   * - Automatic: trilinear in image data and other evenly spaced grids, where that costs no more,
-   *   and in an unstructured mesh with cells so warped that their tetrahedra would overlap;
-   *   tetrahedra elsewhere.
+   * - Automatic: trilinear, except in unstructured meshes of which more than half of the cells are
+   *   tetrahedra, and in pieces of vtkContourCellSplitter; in these too, if some cells are so
+   * warped that their tetrahedra would overlap.
    * - Tetrahedra: linear in the tetrahedra into which cells are divided: hexahedra with alternating
    *   diagonals, the same in structured and unstructured data; by coordinates in meshes with other
    *   cells among them or with rings of an odd number of cells.

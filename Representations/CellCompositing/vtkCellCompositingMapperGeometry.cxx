@@ -35,7 +35,7 @@ CellGeometry::Form FormOfCells(bool byRays, bool hasParts, int interpolation)
     return Form::WholeCells;
   }
   return interpolation == vtkCellCompositingMapper::TRILINEAR_INTERPOLATION ? Form::Hexahedra
-                                                                            : Form::GridOrWarped;
+                                                                            : Form::Automatic;
 }
 }
 
@@ -48,11 +48,8 @@ bool vtkCellCompositingMapper::MayCrossWholeCells() const
 // The field of cells that rays cross as a whole.
 bool vtkCellCompositingMapper::IsTrilinear() const
 {
-  const CellGeometry& geometry = this->Internals->Scene.GetGeometry();
-  const bool holds = geometry.Lattice.Found || !geometry.Hexahedra.empty();
-  return !geometry.DividesHexahedra &&
-    (this->CellInterpolation == TRILINEAR_INTERPOLATION ||
-      (this->CellInterpolation == AUTOMATIC_INTERPOLATION && holds));
+  return this->CellInterpolation != TETRAHEDRA_INTERPOLATION &&
+    !this->Internals->Scene.GetGeometry().DividesHexahedra;
 }
 
 std::string vtkCellCompositingMapper::UpdateGeometry(

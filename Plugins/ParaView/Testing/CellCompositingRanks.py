@@ -4,8 +4,8 @@
 from RankPictures import compare, run_ranks, run_with_server
 
 SCRIPT = "CellCompositingRun.py"
-PICTURES = ("image", "tetrahedra", "structured", "cells", "coarse", "coarse-cells", "stray", "ids", "moved", "turned", "hexahedra", "trilinear",
-            "trilinear-hexahedra", "turned-image", "mixed-trilinear", "contours", "warped", "lit-image", "lit-structured", "lit-tetrahedra", "lit-trilinear", "other-image", "other-structured", "magnitude",
+PICTURES = ("image", "tetrahedra", "structured", "cells", "coarse", "coarse-cells", "stray", "ids", "moved", "turned", "hexahedra", "as-tetrahedra",
+            "hexahedra-as-tetrahedra", "turned-image", "mixed-trilinear", "contours", "warped", "lit-image", "lit-structured", "lit-tetrahedra", "lit-hexahedra", "other-image", "other-structured", "magnitude",
             "media", "media-hexahedra", "beside-nothing")
 PEELED = ("surfaces", "surfaces-tetrahedra")  # every rank peels on its own, and rounds to 8 bits at every peel
 POLYGONS = ("polygons", "default-value", "mixed")  # a pixel at an edge may miss one, and a border makes edges

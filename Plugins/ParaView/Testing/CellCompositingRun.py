@@ -53,8 +53,8 @@ draw("moved", wavelet, Position=[5, 3, 0], balls=[5, 3, 0])
 draw("turned", pvs.Tetrahedralize(Input=wavelet), Position=[5, 0, 0], Orientation=[0, 10, 30], Scale=[1.5, 1.5, 1.5])
 # Whole cells of all kinds are spread over ranks, and keep the field that one rank draws.
 draw("hexahedra", pvs.AppendDatasets(Input=coarse), opacity_scale=5)
-draw("trilinear", coarse, opacity_scale=5, CellCompositingCellInterpolation="Trilinear")
-draw("trilinear-hexahedra", pvs.AppendDatasets(Input=coarse), opacity_scale=5, CellCompositingCellInterpolation="Trilinear")
+draw("as-tetrahedra", coarse, opacity_scale=5, CellCompositingCellInterpolation="Tetrahedra")
+draw("hexahedra-as-tetrahedra", pvs.AppendDatasets(Input=coarse), opacity_scale=5, CellCompositingCellInterpolation="Tetrahedra")
 draw("turned-image", pvs.Wavelet(WholeExtent=[-4, 4] * 3), Orientation=[10, 20, 30], Scale=[2, 2, 2])
 halves = [pvs.Wavelet(WholeExtent=[first, first + 6, -6, 6, -6, 6]) for first in (-6, 0)]
 mixed = pvs.AppendDatasets(Input=[pvs.Tetrahedralize(Input=halves[0]), halves[1]])
@@ -68,7 +68,7 @@ both = {**lit, "CellCompositingContourArray": "other", "CellCompositingContourVa
 draw("lit-image", wavelet, **lit)
 draw("lit-structured", rotated, **lit)
 draw("lit-tetrahedra", pvs.Tetrahedralize(Input=wavelet), **lit)
-draw("lit-trilinear", pvs.AppendDatasets(Input=rotated), CellCompositingCellInterpolation="Trilinear", **lit)
+draw("lit-hexahedra", pvs.AppendDatasets(Input=rotated), **lit)
 draw("other-image", other, **both)
 draw("other-structured", pvs.Transform(Input=other), **both)
 # Two media in the same place, composited as one on every rank: a grid in an image, and an image in hexahedra.

@@ -129,9 +129,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         the ends of a ray in a cell, which is faster.
     interpolation : {"automatic", "trilinear", "tetrahedra"}, default: "automatic"
         Point scalars inside hexahedra, voxels, wedges and pyramids. Trilinear: the field of VTK's cells, without edges along the diagonals of
-        cells. Tetrahedra: linear in the tetrahedra into which cells are divided. Automatic: trilinear in evenly spaced grids, where that is as
-        fast, and in unstructured meshes with cells so warped that their tetrahedra would overlap; tetrahedra elsewhere. Polygons, layers and overlapping
-        volumes need tetrahedra.
+        cells. Tetrahedra: linear in the tetrahedra into which cells are divided, which is faster except in evenly spaced grids. Automatic:
+        trilinear, except in unstructured meshes of which more than half of the cells are tetrahedra. Polygons and layers need tetrahedra.
     preference : {"point", "cell"}, default: "point"
         Which array to use if points and cells both have an array of that name, or if their numbers are equal.
     contours : int, sequence of float or dict, optional

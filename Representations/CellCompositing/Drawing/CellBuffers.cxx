@@ -124,7 +124,7 @@ std::string CellBuffers::UploadTransferFunctions(vtkOpenGLRenderWindow* window,
   const std::vector<TransferFunctionTable>& colorAndOpacity,
   const std::vector<TransferFunctionTable>& opacity, const std::vector<std::int32_t>& tables)
 {
-  constexpr std::size_t few = 32;
+  constexpr std::size_t few = 48; // up to so many, uniforms take less time than fetches
   this->NumberOfTransferNodes = static_cast<int>(colorAndOpacity[0].Nodes.size());
   this->NumberOfOpacityNodes = static_cast<int>(opacity[0].Nodes.size());
   this->UseLayers = colorAndOpacity.size() > 1;
@@ -192,7 +192,8 @@ std::string CellBuffers::SmallTableDefinition() const
   return CountedDefinition("SMALL_TABLE", "EACH_NODE", nodes) +
     (this->UsesSmallOpacityTable()
         ? CountedDefinition("SMALL_OPACITY_TABLE", "EACH_OPACITY_NODE", opacityNodes)
-        : std::string());
+        : std::string()) +
+    (this->UsesSmallOpacityTable() || !this->SeparateOpacity ? "#define SMALL_TABLES\n" : "");
 }
 
 void CellBuffers::SetSmallTable(vtkShaderProgram* program, int instance) const

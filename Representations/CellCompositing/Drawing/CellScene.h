@@ -158,7 +158,10 @@ public:
   }
   /** For a grid: the cells that can be seen lie in it. */
   const CellBox& GetVisibleBox() const { return this->VisibleBox; }
-  /** From each cell of an evenly spaced grid to the next that can be seen (ClearDistances.h). */
+  /**
+   * 0: the cell can be seen. Otherwise from a cell of an evenly spaced grid to the next that can be
+   * seen (ClearDistances.h); of other grids, and of hexahedra crossed whole, 1.
+   */
   const std::vector<std::uint8_t>& GetClearDistances() const { return this->ClearDistances; }
   /** For rays: where they enter what can be seen. */
   const std::vector<BoundaryFace>& GetBoundaryFaces() const
@@ -184,7 +187,7 @@ private:
   bool IsVisible(std::size_t tetrahedron) const;
   void FindVisibleOfGrid();
   void FindVisibleHexahedra();
-  std::pair<float, float> RangeInHexahedron(std::size_t cell, bool ofOpacity) const;
+  bool IsClearHexahedron(std::size_t cell) const;
   int CountVisibleParts(std::size_t cell) const;
   void BuildTables(const std::vector<vtkVolumeProperty*>& properties);
   void FindTablesOfTetrahedra(const std::vector<int>& layers);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 namespace nephoscope
 {
@@ -25,13 +26,14 @@ void CellScene::UpdateDrawn()
     this->VisibleVersion < std::max({ now.Geometry, now.Colors, now.Opacities, now.Transfer,
                              now.Contours, now.Polygons }))
   {
+    this->ClearDistances.clear();
     grid                                 ? this->FindVisibleOfGrid()
       : this->Geometry.Hexahedra.empty() ? this->FindVisible()
                                          : this->FindVisibleHexahedra();
     this->Change(this->VisibleVersion);
   }
   const std::int64_t sources = std::max({ now.Topology, now.Transfer, projected ? now.Order : 0,
-    projected || grid ? this->VisibleVersion : 0 });
+    projected || !this->ClearDistances.empty() ? this->VisibleVersion : 0 });
   if (now.Drawn < sources) // for rays: where they enter, and what they pass unseen
   {
     if (projected)
@@ -90,26 +92,45 @@ void CellScene::FindVisible()
   this->NumberOfVisible = visible;
 }
 
-// Lowest and highest scalar at the vertices, of colour or of a separate opacity.
-std::pair<float, float> CellScene::RangeInHexahedron(std::size_t cell, bool ofOpacity) const
+// The cell is a hexahedron with a field of its own.
+bool CellScene::IsClearHexahedron(std::size_t cell) const
 {
   const CellGeometry& geometry = this->Geometry;
-  const bool onCells = ofOpacity ? geometry.OpacityOnCells : !geometry.CellScalars.empty();
-  const std::vector<float>& values = ofOpacity ? geometry.OpacityScalars : geometry.CellScalars;
-  const Hexahedron& vertices = geometry.Hexahedra[cell];
-  std::array<float, 8> s;
-  std::transform(vertices.begin(), vertices.end(), s.begin(), [&](std::int32_t p) {
-    const auto point = static_cast<std::size_t>(p);
-    return onCells ? values[cell] : ofOpacity ? values[point] : geometry.Points[point].Scalar;
+  const bool separate = geometry.HasOpacityScalars;
+  const bool onCells = separate ? geometry.OpacityOnCells : !geometry.CellScalars.empty();
+  const std::vector<float>& values = separate ? geometry.OpacityScalars : geometry.CellScalars;
+  const auto rangeOf = [&](const auto& valueAt) {
+    std::array<float, 8> s;
+    const Hexahedron& vertices = geometry.Hexahedra[cell];
+    std::transform(vertices.begin(), vertices.end(), s.begin(),
+      [&](std::int32_t p) { return valueAt(static_cast<std::size_t>(p)); });
+    const auto range = std::minmax_element(s.begin(), s.end());
+    return std::make_pair(*range.first, *range.second);
+  };
+  const auto seen = rangeOf([&](std::size_t point) {
+    return onCells ? values[cell] : separate ? values[point] : geometry.Points[point].Scalar;
   });
-  const auto range = std::minmax_element(s.begin(), s.end());
-  return { *range.first, *range.second };
+  if (!this->Opacities[0].IsTransparent(seen.first, seen.second))
+  {
+    return false;
+  }
+  if (!this->Contours.IsUsed())
+  {
+    return true;
+  }
+  const auto contoured = rangeOf([&](std::size_t point) {
+    return !this->Contours.OfColor   ? this->Contours.Scalars[point]
+      : geometry.CellScalars.empty() ? geometry.Points[point].Scalar
+                                     : geometry.CellScalars[cell];
+  });
+  return !this->Contours.DrawsBetween(contoured.first, contoured.second);
 }
 
 void CellScene::FindVisibleHexahedra()
 {
   const CellGeometry& geometry = this->Geometry;
   const std::size_t n = geometry.Hexahedra.size();
+  this->ClearDistances.assign(geometry.DividesHexahedra ? 0 : n, 0);
   std::atomic<std::int64_t> visible(0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(n), [&](vtkIdType begin, vtkIdType end) {
     std::int64_t count = 0;
@@ -120,10 +141,9 @@ void CellScene::FindVisibleHexahedra()
         count += this->CountVisibleParts(i);
         continue;
       }
-      const std::pair<float, float> seen = this->RangeInHexahedron(i, geometry.HasOpacityScalars),
-                                    colored = this->RangeInHexahedron(i, false);
-      count += !this->Opacities[0].IsTransparent(seen.first, seen.second) ||
-        this->Contours.DrawsBetween(colored.first, colored.second);
+      const bool clear = this->IsClearHexahedron(i);
+      this->ClearDistances[i] = clear;
+      count += !clear;
     }
     visible += count;
   });
@@ -164,16 +184,19 @@ void CellScene::FindVisibleOfGrid()
                                float high) {
     return this->IsTransparent(cell, vertices, low, high);
   };
-  this->ClearDistances.assign(this->Geometry.Lattice.Found
-      ? static_cast<std::size_t>(this->Geometry.Grid.NumberOfCells())
-      : 0,
-    0);
-  const auto visible = VisibleGridCells<decltype(isTransparent)>(this->Geometry, isTransparent)
-                         .Find(this->ClearDistances);
+  std::vector<std::uint8_t> marks(static_cast<std::size_t>(this->Geometry.Grid.NumberOfCells()), 0);
+  const auto visible =
+    VisibleGridCells<decltype(isTransparent)>(this->Geometry, isTransparent).Find(marks);
   if (this->Geometry.Lattice.Found)
   {
-    this->ClearDistances = FindClearDistances(this->Geometry.Grid, this->ClearDistances);
+    marks = FindClearDistances(this->Geometry.Grid, marks);
   }
+  else
+  {
+    std::transform(marks.begin(), marks.end(), marks.begin(),
+      [](std::uint8_t visible) { return std::uint8_t(1 - visible); });
+  }
+  this->ClearDistances = std::move(marks);
   this->NumberOfVisible = visible.Tetrahedra;
   this->VisibleBox = visible.Tetrahedra > 0 ? visible.Box : CellBox();
   this->GridBoundary = ChessboardBoundary(this->Geometry, this->VisibleBox);

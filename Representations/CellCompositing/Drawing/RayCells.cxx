@@ -153,10 +153,14 @@ bool RayCells::DrawsHexahedra(const CellDrawing& drawing) const
 
 bool RayCells::ReadySegmentProgram(const CellDrawing& drawing)
 {
-  const std::string constants =
-    drawing.Buffers.SmallTableDefinition() + drawing.ShaderConstants() + this->OwnConstants();
-  const std::string text = this->DrawsHexahedra(drawing) ? HexahedraShader(!this->Grid.IsEmpty())
-                                                         : TetrahedraShader(this->GetTopology());
+  constexpr std::size_t few = 12; // one scalar in tetrahedra: fetches then take less time
+  const bool hexahedra = this->DrawsHexahedra(drawing);
+  const bool isSmall =
+    hexahedra || drawing.Buffers.HasOpacityScalars() || drawing.Buffers.HasSmallTables(few);
+  const std::string constants = (isSmall ? drawing.Buffers.SmallTableDefinition() : "") +
+    drawing.ShaderConstants() + this->OwnConstants();
+  const std::string text =
+    hexahedra ? HexahedraShader(!this->Grid.IsEmpty()) : TetrahedraShader(this->GetTopology());
   this->SegmentProgram = drawing.Window->GetShaderCache()->ReadyShaderProgram(
     RayCellsVertex, SpecializedShader(text, constants).c_str(), "");
   return this->SegmentProgram != nullptr;
@@ -266,6 +270,10 @@ void RayCells::SetTopology(vtkShaderProgram* program, int instance)
   const auto name = [=](const char* uniform) { return InstanceName(uniform, instance); };
   program->SetUniformi(name("boundaryFaces"), this->BoundaryFaces.Activate());
   program->SetUniform2f(name("clearRange"), this->ClearRange.data());
+  if (program->IsUniformUsed(name("clearDistances")))
+  {
+    program->SetUniformi(name("clearDistances"), this->Voxels.GetClearDistances().Activate());
+  }
   if (program->IsUniformUsed(name("hiddenCells")))
   {
     program->SetUniformi(name("hiddenCells"), this->HiddenCells.Activate());
@@ -317,8 +325,7 @@ void RayCells::SetWalk(const CellDrawing& drawing, vtkShaderProgram* program, in
 
 int RayCells::CountTextures() const
 {
-  return 1 + (this->HasHiddenCells ? 1 : 0) + (this->Grid.IsEmpty() ? 1 : 0) +
-    (this->HasHexahedra ? 1 : 0);
+  return 2 + (this->Grid.IsEmpty() ? 1 : 0) + (this->HasHexahedra ? 1 : 0);
 }
 
 void RayCells::DrawSegments(const CellDrawing& drawing, int from, const EyeTetrahedron& eye)

@@ -59,7 +59,7 @@ public:
    */
   std::string UploadBoundary(vtkOpenGLRenderWindow* window, const std::vector<BoundaryFace>& faces,
     const CellGeometry& geometry, const CellBox& box, const std::array<float, 2>& clearRange);
-  /** For an evenly spaced grid: which of its cells can be seen. */
+  /** Which cells of a grid, and of hexahedra crossed whole, can be seen. */
   std::string UploadVoxels(vtkOpenGLRenderWindow* window, const CellGeometry& geometry,
     const CellBox& box, const std::vector<std::uint8_t>& clearDistances)
   {

@@ -31,6 +31,7 @@
 #include "RayVoxelsFragment.h"
 #include "TetrahedronMediumShader.h"
 #include "TetrahedronWalkShader.h"
+#include "ThinPiecesShader.h"
 #include "VisibleDepthsShader.h"
 #include "VoxelCellsShader.h"
 #include "VoxelContoursShader.h"
@@ -61,19 +62,20 @@ std::string WithHexahedra(const std::string& shader, bool structured)
     { { "Topology", structured ? GridHexahedraShader : ListedHexahedraShader },
       { "GridCells", GridCellsShader }, { "HexahedronWalk", HexahedronWalkShader },
       { "HexahedronContours", HexahedronContoursShader }, { "CubicContours", CubicContoursShader },
-      { "CubicPieces", CubicPiecesShader }, { "RaySegments", RaySegmentsShader },
-      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
-      { "PixelRay", PixelRayShader }, { "CameraLight", CameraLight::ShaderText() } });
+      { "CubicPieces", CubicPiecesShader }, { "ThinPieces", ThinPiecesShader },
+      { "RaySegments", RaySegmentsShader }, { "RayRange", RayRangeShader },
+      { "VisibleDepths", VisibleDepthsShader }, { "PixelRay", PixelRayShader },
+      { "CameraLight", CameraLight::ShaderText() } });
 }
 
 std::string WithVoxels(const std::string& shader)
 {
   return WithShaderParts(shader,
-    { { "VoxelWalk", VoxelWalkShader }, { "VoxelCells", VoxelCellsShader },
-      { "VoxelContours", VoxelContoursShader }, { "CubicContours", CubicContoursShader },
-      { "CubicPieces", CubicPiecesShader }, { "RayRange", RayRangeShader },
-      { "VisibleDepths", VisibleDepthsShader }, { "RaySegments", RaySegmentsShader },
-      { "CameraLight", CameraLight::ShaderText() } });
+    { { "VoxelWalk", VoxelWalkShader }, { "ThinPieces", ThinPiecesShader },
+      { "VoxelCells", VoxelCellsShader }, { "VoxelContours", VoxelContoursShader },
+      { "CubicContours", CubicContoursShader }, { "CubicPieces", CubicPiecesShader },
+      { "RayRange", RayRangeShader }, { "VisibleDepths", VisibleDepthsShader },
+      { "RaySegments", RaySegmentsShader }, { "CameraLight", CameraLight::ShaderText() } });
 }
 
 // The functions of a walk, and the medium's, without what all media have once.

@@ -55,6 +55,7 @@ public:
   std::string MediumShader(const CellDrawing& drawing, int instance) const;
   void SetGrid(vtkShaderProgram* program, int instance = -1);
   ///@}
+  BufferTexture& GetClearDistances() { return this->ClearDistances; }
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -4,6 +4,7 @@
 
 #include "CellWalker.h"
 #include "ChessboardDivision.h"
+#include "TetrahedraAmongCells.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -41,9 +42,14 @@ bool CellGeometry::IsOf(Form form) const
 {
   const auto dividesAll = [&](Form f) {
     return f == Form::WholeCells ||
-      (f == Form::GridOrWarped && this->NumberOfWarpedCells + this->NumberOfFoldedCells == 0);
+      (f == Form::Automatic && this->MostAreTetrahedra &&
+        this->NumberOfWarpedCells + this->NumberOfFoldedCells == 0);
+  };
+  const auto dividesNone = [&](Form f) {
+    return f == Form::Hexahedra || (f == Form::Automatic && !this->MostAreTetrahedra);
   };
   return form == this->BuiltForm || (dividesAll(form) && dividesAll(this->BuiltForm)) ||
+    (dividesNone(form) && dividesNone(this->BuiltForm)) ||
     (!this->Grid.IsEmpty() && form != Form::Tetrahedra);
 }
 
@@ -76,9 +82,10 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
   const bool copied = this->CopyPoints(data, progress.Part(0, 0.1)) &&
     this->CopyScalars(data, scalars, progress.Part(0.1, 0.2)) &&
     this->CopyOpacityScalars(data, opacity, progress.Part(0.2, 0.3));
+  this->MostAreTetrahedra = TetrahedraBeyondOthers(data) > 0;
   bool implied = copied && form != Form::Tetrahedra &&
     (this->UseGrid(data, scalars, opacity) ||
-      (form == Form::Hexahedra &&
+      ((form == Form::Hexahedra || (form == Form::Automatic && !this->MostAreTetrahedra)) &&
         this->UseHexahedra(data, scalars, opacity, progress.Part(0.3, 1))));
   if (copied && !implied)
   {
@@ -91,7 +98,7 @@ std::string CellGeometry::Build(vtkDataSet* data, const ScalarSelection& scalars
     this->Clear();
     this->Stopped = true;
   }
-  else if (form == Form::GridOrWarped && this->NumberOfWarpedCells + this->NumberOfFoldedCells > 0)
+  else if (form == Form::Automatic && this->NumberOfWarpedCells + this->NumberOfFoldedCells > 0)
   {
     this->PreferHexahedra(data, scalars, opacity, progress.Part(0.9, 1));
   }

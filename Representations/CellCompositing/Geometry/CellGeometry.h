@@ -48,10 +48,9 @@ public:
     Grid,       ///< of structured data only the grid is kept, which implies the tetrahedra
     WholeCells, ///< the same, and hexahedra of others are kept where they are divided as those of a
                 ///< grid
-    GridOrWarped, ///< the same, and cells of others are kept as hexahedra with their own field
-                  ///< where they can be if tetrahedra of one overlap
-    Hexahedra ///< the same, and cells of others are kept as hexahedra with their own field wherever
-              ///< they can be
+    Automatic,  ///< as Hexahedra, unless most cells are tetrahedra and none are warped
+    Hexahedra ///< the same as Grid, and cells of others are kept as hexahedra with their own field
+              ///< wherever they can be
   };
 
   /**
@@ -117,6 +116,7 @@ public:
   std::int64_t NumberOfInvalidCells = 0;     ///< a coordinate or scalar is not finite
   std::int64_t NumberOfWarpedCells = 0; ///< not polyhedra, not folded: their tetrahedra overlap
   std::int64_t NumberOfMisnumberedCells = 0; ///< drawn with their points in a better order
+  bool MostAreTetrahedra = false;            ///< of the cells of unstructured data
   std::int64_t NumberOfFoldedCells = 0;      ///< over themselves, in any order of their points
   std::int64_t FirstFoldedCell = -1;         ///< of both kinds; -1: none
   std::int64_t NumberOfNonConvexCells =

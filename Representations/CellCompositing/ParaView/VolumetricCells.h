@@ -51,7 +51,7 @@ enum class WholeCells
 {
   Tetrahedra, ///< some are not hexahedra, wedges, pyramids or tetrahedra
   Either,
-  Trilinear ///< by default: some are so warped that their tetrahedra overlap
+  Trilinear ///< by default: most are no tetrahedra, or tetrahedra of some overlap, which are warped
 };
 WholeCells FormOfWholeCells(vtkUnstructuredGrid* cells);
 

@@ -112,7 +112,7 @@ void vtkCellCompositingRepresentation::PreparePiece(vtkDataObject* input)
     this->AxisAligned = MinimumOverRanks(this->AxisAligned ? 1 : 0) != 0;
     if (!this->AxisAligned)
     {
-      this->MakeListOfCells(false);
+      this->MakeListOfCells();
     }
   }
   StoreMeasures(this->Piece,

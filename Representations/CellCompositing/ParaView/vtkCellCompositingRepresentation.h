@@ -133,7 +133,7 @@ private:
   void operator=(const vtkCellCompositingRepresentation&) = delete;
 
   void WarnOfNoVolume(bool hasNoVolume);
-  void MakeListOfCells(bool areEven);
+  void MakeListOfCells();
   bool HasSeveralGrids() const;
   void EndRaysAt(const std::array<double, 6>& region);
   int ChooseInterpolation(vtkDataSet* cells) const;

@@ -9,6 +9,7 @@
 #include "RankContours.h"
 #include "RankDivisions.h"
 #include "RankRegions.h"
+#include "TetrahedraAmongCells.h"
 #include "VolumetricCells.h"
 #include "vtkCellCompositingMapper.h"
 
@@ -17,12 +18,10 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPVRenderView.h"
 #include "vtkPlane.h"
-#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkView.h"
 
@@ -106,14 +105,13 @@ bool vtkCellCompositingRepresentation::HasSeveralGrids() const
 
 void vtkCellCompositingRepresentation::MovePiece(vtkMatrix4x4* matrix)
 {
-  const bool isImage = vtkImageData::SafeDownCast(this->Piece) != nullptr;
   this->Superclass::MovePiece(matrix);
   const bool aligned =
     this->Piece->GetNumberOfCells() == 0 || nephoscope::IsAxisAligned(this->Piece);
   if (this->AxisAligned && MinimumOverRanks(aligned ? 1 : 0) == 0)
   {
     this->AxisAligned = false;
-    this->MakeListOfCells(MinimumOverRanks(isImage ? 1 : 0) == 1);
+    this->MakeListOfCells();
   }
 }
 
@@ -133,9 +131,8 @@ void vtkCellCompositingRepresentation::FinishPiece()
     this->Piece, isFound && onPoints ? name : nullptr, !chosen.empty(), this->HasGradients);
 }
 
-// Cells that the view may spread over ranks, which all draw the same kind of field; `areEven`: one
-// rank draws that of the whole cells.
-void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
+// Cells that the view may spread over ranks, which all draw the same kind of field.
+void vtkCellCompositingRepresentation::MakeListOfCells()
 {
   const vtkSmartPointer<vtkUnstructuredGrid> cells = nephoscope::VisibleCells(this->Piece);
   if (GetNumberOfRanks() > 1)
@@ -146,9 +143,11 @@ void vtkCellCompositingRepresentation::MakeListOfCells(bool areEven)
   using Form = nephoscope::WholeCells;
   const bool canBeTrilinear = MinimumOverRanks(mine == Form::Tetrahedra ? 0 : 1) == 1;
   const bool isWarped = MinimumOverRanks(mine == Form::Trilinear ? 0 : 1) == 0;
-  const Form all = !canBeTrilinear ? Form::Tetrahedra
-    : isWarped || areEven          ? Form::Trilinear
-                                   : Form::Either;
+  const bool mostAreTetrahedra =
+    SumOverRanks(static_cast<double>(nephoscope::TetrahedraBeyondOthers(cells))) > 0;
+  const Form all = !canBeTrilinear   ? Form::Tetrahedra
+    : isWarped || !mostAreTetrahedra ? Form::Trilinear
+                                     : Form::Either;
   this->Piece = cells;
   nephoscope::StoreNumbers(cells, formName, { static_cast<double>(all) });
 }
@@ -157,10 +156,8 @@ void vtkCellCompositingRepresentation::DescribePiece(vtkInformation* inInfo)
 {
   if (this->AxisAligned && GetNumberOfRanks() > 1 && this->HasSeveralGrids())
   {
-    const bool isEven =
-      this->Piece->GetNumberOfCells() == 0 || vtkImageData::SafeDownCast(this->Piece);
     this->AxisAligned = false;
-    this->MakeListOfCells(MinimumOverRanks(isEven ? 1 : 0) == 1);
+    this->MakeListOfCells();
   }
   this->KeepsPiece = this->AxisAligned;
   this->Superclass::DescribePiece(inInfo);
@@ -231,8 +228,7 @@ int vtkCellCompositingRepresentation::ChooseInterpolation(vtkDataSet* cells) con
   vtkDataArray* stored = cells->GetFieldData()->GetArray(formName);
   if (!stored)
   {
-    const bool isGrid = vtkStructuredGrid::SafeDownCast(cells) != nullptr;
-    return this->CellInterpolation == automatic && isGrid ? tetrahedra : this->CellInterpolation;
+    return this->CellInterpolation;
   }
   const auto form = static_cast<Form>(static_cast<int>(stored->GetComponent(0, 0)));
   if (form == Form::Tetrahedra)

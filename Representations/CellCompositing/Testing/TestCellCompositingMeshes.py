@@ -17,6 +17,10 @@ def random_look(rng, parallel):
     return dict(direction=direction, up=rng.normal(size=3), parallel=parallel, zoom=1.3, angle=rng.uniform(15, 60))
 
 
+def divided(made):
+    made.SetCellInterpolationToTetrahedra()
+
+
 class Meshes(ImageTestCase):
     def both_projections(self, seed, label, build, **options):
         """build(rng): a mesh without scalars. Linear point field and constant cell field by turns."""
@@ -94,7 +98,7 @@ class Meshes(ImageTestCase):
         for seed, kind in enumerate(("hexahedron", "wedge", "pyramid"), 50):
             def build(rng):
                 return meshes.Lattice(3).mesh(kind, meshes.wobble(rng, 0.04))
-            self.both_projections(seed, f"warped {kind}", build, decompose=True)
+            self.both_projections(seed, f"warped {kind}", build, decompose=True, configure=divided)
 
     def test_a_field_that_is_not_linear_in_a_hexahedron(self):
         for parallel in (False, True):
@@ -102,7 +106,7 @@ class Meshes(ImageTestCase):
             data = meshes.with_field(meshes.Lattice(3).mesh("hexahedron", meshes.projective(rng, 0.2)),
                                      lambda p: rng.uniform(0, 1, len(p)))
             self.check(data, random_transfer(rng, 5, max_extinction=3), f"random field seed 60 {parallel}", decompose=True,
-                       look=random_look(rng, parallel))
+                       look=random_look(rng, parallel), configure=divided)
 
     def test_array_types(self):
         """The scalar array may be of any numeric type."""

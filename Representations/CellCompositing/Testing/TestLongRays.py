@@ -38,12 +38,12 @@ def tetrahedra(data):
 
 
 class LongRays(unittest.TestCase):
-    def check(self, name, data, trilinear=False):
+    def check(self, name, data, divided=False):
         window = Window((8, 8))
         scene = window.add_scene()
         ours = mapper()
-        if trilinear:
-            ours.SetCellInterpolationToTrilinear()
+        if divided:
+            ours.SetCellInterpolationToTetrahedra()
         scene.add_volume(ours, data, constant(1.0, (1, 1, 1)))
         for height, focus in ((5, 0), (-4, 1)):
             scene.look((0.02, 0.03, height), (0.02, 0.03, focus), (0, 1, 0), 5, None, near=1, far=9)
@@ -56,9 +56,9 @@ class LongRays(unittest.TestCase):
 
     def test_other_cells(self):
         grid = stretched(3500)
-        self.check("grid", grid)
-        self.check("trilinear grid", grid, trilinear=True)
-        self.check("hexahedra", unstructured(grid))
+        for name, data in (("grid", grid), ("hexahedra", unstructured(grid))):
+            self.check(name, data)
+            self.check(name + " as tetrahedra", data, divided=True)
         self.check("tetrahedra", tetrahedra(grid))
 
 

@@ -312,7 +312,7 @@ class TrilinearCells(unittest.TestCase):
                 self.assertEqual(pair[0].window.messages.all + pair[1].window.messages.all, [])
 
     def test_the_same_cells_however_stored_as_tetrahedra(self):
-        """Without any setting: hexahedra are divided as those of a grid, in one piece or in blocks that repeat their points."""
+        """Hexahedra are divided as those of a grid, in one piece or in blocks that repeat their points."""
         def blocks(data):
             append, i = vtkAppendFilter(), data.GetExtent()[1] // 2
             for low, high in ((0, i), (i, data.GetExtent()[1])):
@@ -329,7 +329,7 @@ class TrilinearCells(unittest.TestCase):
             stored = {"unstructured": unstructured(data), "in another order": turned(unstructured(data)), "blocks": blocks(data)}
             self.assertEqual(stored["blocks"].GetNumberOfCells(), data.GetNumberOfCells())
             for label, cells in stored.items():
-                other = Drawn(cells, CLEAR_BELOW, lambda _, made: made.SetCellInterpolationToAutomatic(), trilinear=False)
+                other = Drawn(cells, CLEAR_BELOW, trilinear=False)
                 for view in VIEWS:
                     if name == "shell" and view == "in_a_plane":
                         continue  # rays within faces

@@ -108,12 +108,9 @@ class TrilinearVoxels(unittest.TestCase):
         self.assertGreater(np.abs(after - before).max(), 10 * STEP)
         self.check(after, dense(data, drawn.scene.view(), RAMP, trilinear_field(data), 700, trilinear_field(data, "o")), "changed", 2 * STEP)
 
-    def test_other_grids_keep_their_tetrahedra(self):
-        data = with_values(even(), steep)
-        stretched = with_values(meshes.rectilinear([np.array([-0.5, -0.1, 0.2, 0.5])] * 3), steep)
-        for cells, same in ((data, False), (stretched, True)):
-            one, other_one = (ByDefault(cells, CLEAR_BELOW, interpolation=kind).picture() for kind in (None, "Tetrahedra"))
-            self.assertEqual(bool(np.abs(one - other_one).max() < STEP), same)
+    def test_not_as_tetrahedra(self):
+        one, cut = (ByDefault(with_values(even(), steep), CLEAR_BELOW, interpolation=kind).picture() for kind in (None, "Tetrahedra"))
+        self.assertGreater(np.abs(one - cut).max(), 5 * STEP)
 
 
 if __name__ == "__main__":

@@ -5,6 +5,21 @@
 const float cubicTolerance = 1.0 / 512.0;
 const float mostPieces = 16.0;
 
+// The first three pieces of a ray in a cell: distances where they begin and end, the scalars there, and those of a separate opacity.
+vec4 places = vec4(0.0), scalars = vec4(0.0), opacityScalarsHere = vec4(0.0);
+float numberOfPieces = 3.0; // of the whole cell
+
+float lesserOf(vec3 v)
+{
+  float xy = v.x < v.y ? v.x : v.y;
+  return xy < v.z ? xy : v.z;
+}
+
+float lowestOf(vec4 v)
+{
+  return min(lesserOf(v.xyz), v.w);
+}
+
 // The coefficients of a polynomial from its values at 0, 1/3, 2/3 and 1. From differences, since large values would be rounded.
 vec4 cubicThrough(vec4 v)
 {

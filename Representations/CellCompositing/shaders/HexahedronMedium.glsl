@@ -7,30 +7,31 @@ const bool mayOverlapItself = true;
 //NEPHOSCOPE::MediumPieces
 //NEPHOSCOPE::MediumBeside
 
-int exitOfCell = -1; // out of the present cell
-
 // Crosses the next cell in which something is seen. False: there is none.
 bool crossNextCell(vec2 range)
 {
-  bool inside = !walkIsLost && (exitOfCell < 0 || (ringPass.x < range.y && goOn(exitOfCell, range)));
-  exitOfCell = -1;
-  for (int i = 0; i < maximumSteps && inside && exitOfCell < 0; ++i)
+  bool inside = !walkIsLost && (!cellIsDone || ringPass.x < range.y);
+  bool found = false;
+  for (int i = 0; i < maximumSteps && inside && !found; ++i)
   {
-    exitOfCell = findCell(range, inside);
-    if (exitOfCell >= 0 && ringPass.x <= range.x)
+    if (findCell(range, inside))
     {
-      inside = goOn(exitOfCell, range);
-      exitOfCell = -1;
+      seeAhead();
+      seeScalars();
+      exitOfCell = leaveCell();
+      crossCell();
+      found = ringPass.x > range.x;
+      cellIsDone = !found;
     }
   }
-  return exitOfCell >= 0;
+  return found;
 }
 
 bool findSegment()
 {
   vec2 range = vec2(distanceAt(max(mediumRange.x, mediaRange.x)), distanceAt(mediumRange.y));
   inSegment = inCell || crossNextCell(range);
-  float to = endOfPiece(pieces);
+  float to = endOfPiece(numberOfPieces);
   vec3 back = placeInPieces(to);
   sampleFront = pieceFront.yz;
   sampleBack = back.yz;
@@ -38,6 +39,7 @@ bool findSegment()
   pieceFront = back;
   partOfCell = to;
   inCell = inSegment && to < 1.0;
+  cellIsDone = inSegment ? !inCell : cellIsDone;
   return inSegment;
 }
 
@@ -46,8 +48,8 @@ void startMedium()
   makeRay(beside);
   placeMedium();
   ringIsKnown = layerIsKnown = inCell = walkIsLost = false;
-  layerReach = vec2(0.0); // nothing is clear
-  exitOfCell = -1;
+  layerReach = vec2(0.0);
+  cellIsDone = false;
   int face_ = faceOfFloat(entered[mediumNumber]);
   if (face_ == -2)
   {

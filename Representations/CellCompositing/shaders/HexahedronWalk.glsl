@@ -11,6 +11,14 @@ vec4 walkA, walkB, walkC, walkD, walkE, walkF, walkG, walkH;
 float walkAB, walkBC, walkCD, walkDA; // goesBy of the edges
 bool walkIsLost; // the ray passed the first face by
 
+// The face through which the ray leaves the cell, as the ring of the next one.
+struct Ring
+{
+  vec4 a, b, c, d;
+  float ab, bc, cd, da;
+};
+Ring ringAhead = Ring(vec4(0.0), vec4(0.0), vec4(0.0), vec4(0.0), 0.0, 0.0, 0.0, 0.0);
+
 // Edge by edge around the ray: which part of a round from p to q, counted where it crosses the axis x > 0.
 float goesBy(vec4 p, vec4 q)
 {
@@ -103,10 +111,20 @@ vec2 placeInRing()
   return placeInFace(walkA.xy, walkB.xy, walkC.xy, walkD.xy);
 }
 
+vec2 placeInRingAhead()
+{
+  return placeInFace(ringAhead.a.xy, ringAhead.b.xy, ringAhead.c.xy, ringAhead.d.xy);
+}
+
 // Distance along the ray, and scalar.
 vec2 passRing(vec2 place)
 {
   return mix(mix(walkA.zw, walkB.zw, place.x), mix(walkD.zw, walkC.zw, place.x), place.y);
+}
+
+vec2 passRingAhead(vec2 place)
+{
+  return mix(mix(ringAhead.a.zw, ringAhead.b.zw, place.x), mix(ringAhead.d.zw, ringAhead.c.zw, place.x), place.y);
 }
 
 // Where a place in the ring is in the cell that the ray left through it, in fractions of the ways along AB, AD and AE of its ring.
@@ -116,7 +134,7 @@ vec3 placeInCell(vec2 p, int exit)
     : exit == exitCD ? vec3(p.x, 1.0, 1.0 - p.y) : vec3(0.0, p.y, p.x);
 }
 
-// Through which face the ray leaves the cell. The ring becomes that face.
+// Finds the ring ahead; returns which face it is.
 int leaveCell()
 {
   float ef = goesBy(walkE, walkF), fg = goesBy(walkF, walkG), gh = goesBy(walkG, walkH), he = goesBy(walkH, walkE);
@@ -128,53 +146,36 @@ int leaveCell()
   throughAB = throughAB && !throughEnd;
   throughBC = throughBC && !throughEnd && !throughAB;
   throughCD = throughCD && !throughEnd && !throughAB && !throughBC;
-  vec4 a = walkA, b = walkB, c = walkC, d = walkD;
-  float ab = walkAB, bc = walkBC, cd = walkCD, da = walkDA;
-  if (throughEnd)
-  {
-    walkA = walkE;
-    walkB = walkF;
-    walkC = walkG;
-    walkD = walkH;
-    walkAB = ef;
-    walkBC = fg;
-    walkCD = gh;
-    walkDA = he;
-    return exitAhead;
-  }
-  walkA = throughBC ? walkF : throughCD ? walkH : a;
-  walkB = throughAB || throughBC ? b : throughCD ? walkG : walkE;
-  walkC = throughAB ? walkF : throughBC || throughCD ? c : walkH;
-  walkD = throughAB ? walkE : throughBC ? walkG : d;
-  walkAB = throughAB ? ab : throughBC ? -bf : throughCD ? -gh : ae;
-  walkBC = throughAB ? bf : throughBC ? bc : throughCD ? -cg : -he;
-  walkCD = throughAB ? -ef : throughBC ? cg : throughCD ? cd : -dh;
-  walkDA = throughAB ? -ae : throughBC ? -fg : throughCD ? dh : da;
-  return throughAB ? exitAB : throughBC ? exitBC : throughCD ? exitCD : exitDA;
+  ringAhead.a = throughEnd ? walkE : throughBC ? walkF : throughCD ? walkH : walkA;
+  ringAhead.b = throughEnd ? walkF : throughAB || throughBC ? walkB : throughCD ? walkG : walkE;
+  ringAhead.c = throughEnd ? walkG : throughAB ? walkF : throughBC || throughCD ? walkC : walkH;
+  ringAhead.d = throughEnd ? walkH : throughAB ? walkE : throughBC ? walkG : walkD;
+  ringAhead.ab = throughEnd ? ef : throughAB ? walkAB : throughBC ? -bf : throughCD ? -gh : ae;
+  ringAhead.bc = throughEnd ? fg : throughAB ? bf : throughBC ? walkBC : throughCD ? -cg : -he;
+  ringAhead.cd = throughEnd ? gh : throughAB ? -ef : throughBC ? cg : throughCD ? walkCD : -dh;
+  ringAhead.da = throughEnd ? he : throughAB ? -ae : throughBC ? -fg : throughCD ? dh : walkDA;
+  return throughEnd ? exitAhead : throughAB ? exitAB : throughBC ? exitBC : throughCD ? exitCD : exitDA;
 }
 
-// A cell's vertices, while the ring goes on to the next.
-vec4 cellA, cellB, cellC, cellD, cellE, cellF, cellG, cellH;
-
-void keepCell()
+void takeRingAhead()
 {
-  cellA = walkA;
-  cellB = walkB;
-  cellC = walkC;
-  cellD = walkD;
-  cellE = walkE;
-  cellF = walkF;
-  cellG = walkG;
-  cellH = walkH;
+  walkA = ringAhead.a;
+  walkB = ringAhead.b;
+  walkC = ringAhead.c;
+  walkD = ringAhead.d;
+  walkAB = ringAhead.ab;
+  walkBC = ringAhead.bc;
+  walkCD = ringAhead.cd;
+  walkDA = ringAhead.da;
 }
 
 // At a place in the cell, what a step along AB, AD and AE changes.
 mat3x4 changesInCell(vec3 p)
 {
-  vec4 ae = mix(cellA, cellE, p.z), bf = mix(cellB, cellF, p.z), cg = mix(cellC, cellG, p.z), dh = mix(cellD, cellH, p.z);
+  vec4 ae = mix(walkA, walkE, p.z), bf = mix(walkB, walkF, p.z), cg = mix(walkC, walkG, p.z), dh = mix(walkD, walkH, p.z);
   vec4 right = mix(bf - ae, cg - dh, p.y);
   vec4 up = mix(dh, cg, p.x) - mix(ae, bf, p.x);
-  vec4 on = mix(mix(cellE - cellA, cellF - cellB, p.x), mix(cellH - cellD, cellG - cellC, p.x), p.y);
+  vec4 on = mix(mix(walkE - walkA, walkF - walkB, p.x), mix(walkH - walkD, walkG - walkC, p.x), p.y);
   return mat3x4(right, up, on);
 }
 
@@ -184,12 +185,12 @@ vec3 stepsToRay = vec3(0.0); // from the place in besidePlace, along AB, AD and 
 // no straight line between the places where it enters and leaves.
 vec2 besidePlace(vec3 p)
 {
-  vec4 ae = mix(cellA, cellE, p.z), bf = mix(cellB, cellF, p.z), cg = mix(cellC, cellG, p.z), dh = mix(cellD, cellH, p.z);
+  vec4 ae = mix(walkA, walkE, p.z), bf = mix(walkB, walkF, p.z), cg = mix(walkC, walkG, p.z), dh = mix(walkD, walkH, p.z);
   vec4 low = mix(ae, bf, p.x), high = mix(dh, cg, p.x);
   vec4 here = mix(low, high, p.y);
   vec4 right = mix(bf - ae, cg - dh, p.y);
   vec4 up = high - low;
-  vec4 on = mix(mix(cellE - cellA, cellF - cellB, p.x), mix(cellH - cellD, cellG - cellC, p.x), p.y);
+  vec4 on = mix(mix(walkE - walkA, walkF - walkB, p.x), mix(walkH - walkD, walkG - walkC, p.x), p.y);
   // The step from there to the ray, by Newton.
   vec3 upOn = cross(up.xyz, on.xyz);
   float volume = dot(right.xyz, upOn);

@@ -36,7 +36,7 @@ vec3 placeInView(float place)
   return (MCVCMatrix * vec4(origin + distanceAt(place) * along, 1.0)).xyz;
 }
 
-#ifdef SMALL_TABLE
+#ifdef SMALL_TABLES
 vec2 sampleHere = vec2(0.0); // where the segment is done to
 
 void startPieces()
@@ -48,31 +48,13 @@ void startPieces()
 // The next piece of the present segment: up to where a scalar comes to a node.
 void takePiece()
 {
-  bool upX = sampleBack.x >= sampleFront.x, upY = sampleBack.y >= sampleFront.y;
-  Interval color = intervalFrom(sampleHere.x, upX, 0);
-  vec2 ends = vec2(upX ? color.high : color.low);
-  vec2 leave = vec2(leaveAt(ends.x, upX, sampleFront.x, sampleBack.x), 2.0);
-#ifdef SMALL_OPACITY_TABLE
-  OpacityInterval opacity = opacityIntervalFrom(sampleHere.y, upY);
-  ends.y = upY ? opacity.high : opacity.low;
-  leave.y = leaveAt(ends.y, upY, sampleFront.y, sampleBack.y);
-#endif
-  float first = lesser(leave.x, leave.y);
-  bool atEnd = first > 1.0;
-  segmentDone = atEnd ? 1.0 : greater(segmentDone, first);
-  vec2 next = atEnd ? sampleBack : mix(sampleFront, sampleBack, segmentDone);
-  next = atEnd ? next : leave.x <= leave.y ? vec2(ends.x, next.y) : vec2(next.x, ends.y);
-  mediumFront = valueAt(color, sampleHere.x);
-  mediumBack = valueAt(color, next.x);
-#ifdef SMALL_OPACITY_TABLE
-  mediumFront.a = opacityAt(opacity, sampleHere.y);
-  mediumBack.a = opacityAt(opacity, next.y);
-#endif
-  mediumFront.a *= extinctionPerPlace;
-  mediumBack.a *= extinctionPerPlace;
+  LinearPart part = partFrom(sampleHere, sampleFront, sampleBack);
+  segmentDone = greater(segmentDone, part.to);
+  mediumFront = part.start * vec4(1.0, 1.0, 1.0, extinctionPerPlace);
+  mediumBack = part.end * vec4(1.0, 1.0, 1.0, extinctionPerPlace);
   pieceTo = max(pieceFrom, mix(segmentPlaces.x, segmentPlaces.y, segmentDone));
-  sampleHere = next;
-  inSegment = !atEnd;
+  sampleHere = part.scalars;
+  inSegment = !part.atEnd;
 }
 #else
 vec4 nextFront = vec4(0.0); // the value where the segment is done to

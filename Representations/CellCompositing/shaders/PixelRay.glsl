@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The ray of a pixel, or one a little beside it: through `origin` in the direction `along`, across which are two others.
-// Uses placeSeen(point): a point as the ray sees it.
+// Uses placeSeen(point): a point as the ray sees it; keepWalk(), for copies of what the walk uses.
 // Takes the differences from pixel to pixel. Both are linear in the pixel, so that they are exact; to be called before pixels part.
 void keepSteps()
 {
@@ -15,7 +15,7 @@ void keepSteps()
 void keepUniforms()
 {
   unity = softwareOpenGL ? gl_FragCoord.w : 1.0;
-  clear = clearRange * unity;
+  keepWalk();
   keepTopology();
   keepTable();
 }

@@ -71,6 +71,11 @@ Seen seen(int vertex)
   return seenPoint(pointOf(vertex));
 }
 
+void keepWalk()
+{
+  clear = clearRange * unity;
+}
+
 vec3 placeSeen(int point)
 {
   return seenPoint(point).place.xyz;

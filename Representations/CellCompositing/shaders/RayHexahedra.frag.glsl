@@ -9,7 +9,7 @@
 uniform FloatArray points; // position, scalar
 uniform FloatArray cellScalars;
 uniform FloatArray opacityScalars;
-uniform FloatArray hiddenCells;
+uniform FloatArray clearDistances; // 0: something is seen in the cell (ClearDistances.h)
 uniform IntegerArray boundaryFaces;
 uniform sampler2D entryFaces; // boundary face (-1: none), depth
 uniform mat4 MCVCMatrix;
@@ -22,11 +22,8 @@ uniform int startsAtEye; // rays start in the cell that holds the eye, not at a 
 uniform int eyeHexahedron[4]; // that cell
 uniform vec3 eyeMC;
 uniform vec4 eyeVC;         // (position, 1) or (direction towards the eye, 0)
-uniform vec2 clearRange; // scalars between which nothing is seen
 
-// Copies: RayCells.frag.glsl says why.
-float unity = 0.0;      // 1
-vec2 clear = vec2(0.0); // clearRange
+float unity = 0.0; // 1; RayCells.frag.glsl says why uniforms are copied
 
 // Through which face a ray leaves a cell: across from the one where it entered, or at one of its edges.
 const int exitAhead = 0;
@@ -36,7 +33,7 @@ const int exitCD = 3;
 const int exitDA = 4;
 
 //NEPHOSCOPE::Constants
-// further: hasHiddenCells, closedGrid
+// further: closedGrid
 
 //NEPHOSCOPE::OpaqueDepth
 //NEPHOSCOPE::OpticalSegment
@@ -58,6 +55,8 @@ vec4 seen(int point)
   return vec4(dot(q, across1), dot(q, across2), dot(q, along), withCameraLight(p.w, point));
 }
 
+void keepWalk() {}
+
 vec3 placeSeen(int point)
 {
   return seen(point).xyz;
@@ -67,6 +66,7 @@ vec3 placeSeen(int point)
 //NEPHOSCOPE::RayEntry
 //NEPHOSCOPE::HexahedronWalk
 //NEPHOSCOPE::HexahedronContours
+//NEPHOSCOPE::ThinPieces
 
 vec2 scalarsOfCell = vec2(0.0);   // lowest and highest
 vec2 opacitiesOfCell = vec2(0.0); // the same of the scalars that the opacity function reads
@@ -88,13 +88,8 @@ void seeOpacities()
   }
 }
 
-// Nothing is seen in the cell whose vertices are at hand.
-bool isClear()
+void seeScalars()
 {
-  if (hasHiddenCells && element(hiddenCells, cellNumber()).r > 0.0)
-  {
-    return true;
-  }
   if (useCellScalars)
   {
     scalarsOfCell = vec2(element(cellScalars, cellNumber()).r);
@@ -108,9 +103,12 @@ bool isClear()
   }
   seeOpacities();
   seeContours();
-  vec2 contoured = contoursInCells ? rangeOfContours() : vec2(0.0);
-  bool inLayer = !contoursInCells || !hasContourValues || (contoured.x >= layerReach.x && contoured.y < layerReach.y);
-  return inLayer && opacitiesOfCell.x >= clear.x && opacitiesOfCell.y < clear.y;
+}
+
+// Nothing is seen in the cell.
+bool isClear()
+{
+  return element(clearDistances, cellNumber()).r > 0.0;
 }
 
 // Adds what lies between two places, as far as it is seen: between the near plane and the opaque geometry.
@@ -126,17 +124,20 @@ void addPart(vec3 front, vec3 back, vec2 range)
   }
 }
 
-// Where the ray passes the ring: in it, and along the ray, if known already.
+// Where the ray passes the ring, that of the next cell once it has crossed one: in it, and along the ray, if known already.
 vec2 ringPlace = vec2(0.0), ringPass = vec2(0.0);
 bool ringIsKnown = false;
 
 // The pieces of the cell that are still to be added, and where they begin: distance, scalars of colour and opacity.
 vec4 cellDistances = vec4(0.0), scalarsInCell = vec4(0.0), opacitiesInCell = vec4(0.0);
-float pieces = 1.0;
 vec3 pieceFront = vec3(0.0);
 
-// Crosses the cell; returns through which face the ray leaves it.
-int crossCell()
+// The face through which the ray leaves the present cell, which is done: the walk goes on from there.
+int exitOfCell = 0;
+bool cellIsDone = false;
+
+// Finds the pieces of the cell.
+void crossCell()
 {
   if (!ringIsKnown)
   {
@@ -146,20 +147,18 @@ int crossCell()
   }
   vec3 entered = vec3(ringPlace, 0.0);
   pieceFront = vec3(ringPass, 0.0);
-  keepCell();
-  int exit = leaveCell();
-  ringPlace = placeInRing();
-  ringPass = passRing(ringPlace);
-  pieces = 1.0;
+  ringPlace = placeInRingAhead();
+  ringPass = passRingAhead(ringPlace);
+  numberOfPieces = 1.0;
   inCell = true;
   partOfCell = 0.0;
   pieceFront.y = useCellScalars ? scalarsOfCell.x : pieceFront.y;
   pieceFront.z = separateOpacity ? opacitiesOfCell.x : pieceFront.y;
   if (useCellScalars && !contoursInCells && !opacityInCells)
   {
-    return exit;
+    return;
   }
-  vec3 left = placeInCell(ringPlace, exit);
+  vec3 left = placeInCell(ringPlace, exitOfCell);
   vec3 thirds[2] = vec3[2](mix(entered, left, 1.0 / 3.0), mix(entered, left, 2.0 / 3.0));
   vec2 first = besidePlace(thirds[0]);
   float contouredFirst = contoursInCells ? contouredBeside(thirds[0]) : 0.0;
@@ -167,21 +166,20 @@ int crossCell()
   vec2 second = besidePlace(thirds[1]);
   cellDistances = cubicThrough(vec4(pieceFront.x, first.x, second.x, ringPass.x));
   scalarsInCell = useCellScalars ? vec4(scalarsOfCell.x, 0.0, 0.0, 0.0) : cubicThrough(vec4(pieceFront.y, first.y, second.y, ringPass.y));
-  pieces = countPieces(scalarsInCell);
+  numberOfPieces = countPieces(scalarsInCell);
   if (opacityInCells)
   {
     pieceFront.z = fieldInCell(opacityNear, opacityFar, entered).x;
     opacitiesInCell = cubicThrough(vec4(pieceFront.z, opacityFirst, fieldBeside(opacityNear, opacityFar, thirds[1]),
       fieldInCell(opacityNear, opacityFar, left).x));
-    pieces = max(pieces, countPieces(opacitiesInCell));
+    numberOfPieces = max(numberOfPieces, countPieces(opacitiesInCell));
   }
   if (contoursInCells)
   {
     placeEntered = entered;
     placeLeft = left;
-    findLayersOfCell(vec4(contouredAt(entered).x, contouredFirst, contouredBeside(thirds[1]), contouredAt(left).x), exit);
+    findLayersOfCell(vec4(contouredAt(entered).x, contouredFirst, contouredBeside(thirds[1]), contouredAt(left).x), exitOfCell);
   }
-  return exit;
 }
 
 bool hazeIsFresh = false;
@@ -207,7 +205,7 @@ bool addPieces(vec2 range)
 {
   while (inCell)
   {
-    float to = endOfPiece(pieces);
+    float to = endOfPiece(numberOfPieces);
     int contour = contoursInCells ? contourInPiece(to) : -1;
     vec3 back = placeInPieces(to);
     float end = min(back.x, range.y);
@@ -238,9 +236,10 @@ bool addPieces(vec2 range)
 }
 
 // Into the next cell. False: there is none, or it is out of sight.
-bool goOn(int exit, vec2 range)
+bool goOn(vec2 range)
 {
-  if (!crossFace(exit))
+  takeRingAhead();
+  if (!crossFace(exitOfCell))
   {
     return false;
   }
@@ -253,58 +252,121 @@ bool goOn(int exit, vec2 range)
   return !walkIsLost && lesser(lesser(walkA.z, walkB.z), lesser(walkC.z, walkD.z)) < range.y;
 }
 
-// Goes on to a cell in which something is seen, and crosses it. Less than 0: not found yet, or (not `inside`) there is none.
-int findCell(vec2 range, inout bool inside)
+// Goes on to a cell in which something is seen. False: not found yet, or (not `inside`) there is none. Software computes both sides of
+// every test: what is done with such a cell is no part of this loop.
+bool findCell(vec2 range, inout bool inside)
 {
-  // Pixels that are computed together wait for each other before a cell is integrated, but not for long.
-  const int stepsAtOnce = 8;
-  for (int k = 0; k < stepsAtOnce; ++k)
+  const int stepsAtOnce = 8; // pixels that are computed together wait for each other
+  bool found = false;
+  for (int k = 0; k < stepsAtOnce && inside && !found; ++k)
   {
     seeAhead();
-    if (!isClear())
-    {
-      return crossCell();
-    }
-    ringIsKnown = false;
-    layerIsKnown = false;
-    inside = goOn(leaveCell(), range);
-    if (!inside)
+    found = !cellIsDone && !isClear();
+    if (found)
     {
       break;
     }
+    ringIsKnown = ringIsKnown && cellIsDone;
+    layerIsKnown = layerIsKnown && cellIsDone;
+    cellIsDone = false;
+    exitOfCell = leaveCell();
+    inside = goOn(range);
   }
-  return -1;
+  return found;
+}
+
+// The three pieces that addThinPieces adds.
+void placePieces()
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    vec3 place = placeInPieces(float(i) / numberOfPieces);
+    places[i] = place.x;
+    scalars[i] = place.y;
+    opacityScalarsHere[i] = place.z;
+  }
+  places.x = pieceFront.x;
+}
+
+// The cell that was crossed is added, as far as that is simple. False: it is left, in whole or in part.
+bool addThinCell(vec2 range)
+{
+  bool isCut = pieceFront.x < range.x || ringPass.x > range.y || (useHaze && ringPass.x > hazeTo);
+  bool isFolded = ringPass.x < pieceFront.x;
+  bool mustWait = isCut || isFolded || (contoursInCells && crossesContours());
+#ifdef SMALL_TABLES
+  closeSlices(light, pieceFront.x);
+  bool waits = mustWait || !endsInSlice(ringPass.x) || !splitAtControlPoints;
+  for (int i = 0; i < 64 && inCell && !waits; ++i)
+  {
+    float to = endOfPiece(numberOfPieces);
+    vec3 back = placeInPieces(to);
+    LinearPart part = partFrom(pieceFront.yz, pieceFront.yz, back.yz);
+    float end = mix(pieceFront.x, back.x, part.to);
+    waits = !averageIntegration && max(part.start.a, part.end.a) * opticalLength * (end - pieceFront.x) > 1.0;
+    if (!waits)
+    {
+      addLinear(part.start, part.end, vec2(pieceFront.x, end));
+      pieceFront = vec3(end, part.scalars);
+      partOfCell = mix(partOfCell, to, part.to);
+      inCell = partOfCell < 1.0;
+    }
+  }
+  return !inCell;
+#else
+  placePieces();
+  return addThinPieces(mustWait);
+#endif
+}
+
+// From cell to cell. False: none is found yet that needs more than is done here, or (not `inside`) there is none.
+bool walkThin(vec2 range, inout bool inside)
+{
+  const int cellsAtOnce = 8;
+  bool waits = false;
+  for (int k = 0; k < cellsAtOnce && inside && !waits; ++k)
+  {
+    if (findCell(range, inside))
+    {
+      seeAhead();
+      seeScalars();
+      exitOfCell = leaveCell();
+      crossCell();
+      waits = !addThinCell(range);
+      inCell = waits;
+      inside = waits || (ringPass.x < range.y && !isOpaque() && goOn(range));
+    }
+  }
+  return waits;
 }
 
 void walk(vec2 range)
 {
-  int exit = -1; // out of a cell whose pieces are being added
+  bool waits = false; // the pieces of a cell are being added
   const int cellsAtOnce = useHaze ? 16 : contoursInCells ? 32 : 1;
   bool inside = true;
+  cellIsDone = false;
   for (int i = 0; i < maximumSteps && inside; ++i)
   {
-    if (useHaze && exit >= 0)
+    if (useHaze && waits)
     {
       fitHazeToCell(range);
     }
-    for (int n = 0; n < cellsAtOnce; ++n)
+    for (int n = 0; n < cellsAtOnce && inside; ++n)
     {
-      if (exit < 0)
+      if (!waits)
       {
-        exit = findCell(range, inside);
+        waits = walkThin(range, inside);
       }
-      if (exit >= 0)
+      if (waits)
       {
         if (!addPieces(range))
         {
           break;
         }
-        inside = ringPass.x < range.y && !isOpaque() && goOn(exit, range);
-        exit = -1;
-      }
-      if (!inside)
-      {
-        break;
+        waits = false;
+        cellIsDone = true;
+        inside = ringPass.x < range.y && !isOpaque();
       }
     }
     if (contoursInCells && contourAhead >= 0)
@@ -375,7 +437,7 @@ void main()
     startHaze();
     ringIsKnown = false;
     layerIsKnown = false;
-    layerReach = vec2(0.0); // nothing is clear
+    layerReach = vec2(0.0);
     if (startsAtEye != 0)
     {
       walkIsLost = !startInEyeCell();

@@ -3,7 +3,7 @@
 // Segments of one ray, front to back.
 // Constants: splitAtControlPoints, separateOpacity. SMALL_TABLE, where it is defined, is the number of nodes of the transfer function,
 // SMALL_OPACITY_TABLE of that of a separate opacity; few nodes are uniforms: a fetch per pixel and segment costs more than looking at all of
-// them. EACH_NODE and EACH_OPACITY_NODE write that out: compilers leave loops as they are and fetch from what they index.
+// them: SMALL_TABLES is defined if all are. EACH_NODE and EACH_OPACITY_NODE write that out: compilers leave loops as they are and fetch from what they index.
 #ifdef SMALL_TABLE
 uniform float smallNodes[SMALL_TABLE];
 uniform vec4 smallLow[SMALL_TABLE + 1];  // colour and opacity at the ends of each interval
@@ -166,31 +166,60 @@ float opacityAt(OpacityInterval interval, float s)
   return mix(interval.values.x, interval.values.y, clamp(t, 0.0, 1.0));
 }
 
-// The scalars of colour and opacity go linearly from `front` to `back` over an optical length: cut wherever either crosses a node.
+#endif
+
+// The scalars of colour and opacity go linearly from `front` to `back`. A part begins where they are `s`, and ends at the next node.
+#ifdef SMALL_TABLES
+struct LinearPart
+{
+  float to;        // fraction of the way from `front` to `back`
+  bool atEnd;      // there
+  vec2 scalars;    // there
+  vec4 start, end; // colour and opacity at the ends
+};
+
+LinearPart partFrom(vec2 s, vec2 front, vec2 back)
+{
+  bool upX = back.x >= front.x;
+  Interval color = intervalFrom(s.x, upX, 0);
+  vec2 ends = vec2(upX ? color.high : color.low);
+  vec2 leave = vec2(leaveAt(ends.x, upX, front.x, back.x), 2.0);
+#ifdef SMALL_OPACITY_TABLE
+  bool upY = back.y >= front.y;
+  OpacityInterval opacity = opacityIntervalFrom(s.y, upY);
+  ends.y = upY ? opacity.high : opacity.low;
+  leave.y = leaveAt(ends.y, upY, front.y, back.y);
+#endif
+  float to = lesser(leave.x, leave.y);
+  bool atEnd = to > 1.0;
+  to = lesser(to, 1.0);
+  vec2 next = atEnd ? back : mix(front, back, to);
+  next = atEnd ? next : leave.x <= leave.y ? vec2(ends.x, next.y) : vec2(next.x, ends.y);
+  vec4 start = valueAt(color, s.x), end = valueAt(color, next.x);
+#ifdef SMALL_OPACITY_TABLE
+  start.a = opacityAt(opacity, s.y);
+  end.a = opacityAt(opacity, next.y);
+#endif
+  return LinearPart(to, atEnd, next, start, end);
+}
+#endif
+
+#ifdef SMALL_OPACITY_TABLE
+// Over an optical length: cut wherever either scalar crosses a node.
 void addAlongTwoScalars(vec2 front, vec2 back, float depth)
 {
-  bool upX = back.x >= front.x, upY = back.y >= front.y;
   vec2 s = front;
   float from = 0.0;
   for (int i = 0; i <= numberOfTransferNodes + numberOfOpacityNodes; ++i)
   {
-    Interval color = intervalFrom(s.x, upX, 0);
-    OpacityInterval opacity = opacityIntervalFrom(s.y, upY);
-    vec2 ends = vec2(upX ? color.high : color.low, upY ? opacity.high : opacity.low);
-    vec2 leave = vec2(leaveAt(ends.x, upX, front.x, back.x), leaveAt(ends.y, upY, front.y, back.y));
-    bool ofColor = leave.x <= leave.y;
-    float to = greater(from, lesser(1.0, lesser(leave.x, leave.y)));
-    bool atEnd = lesser(leave.x, leave.y) > 1.0;
-    vec2 next = atEnd ? back : mix(front, back, to);
-    next = atEnd ? next : ofColor ? vec2(ends.x, next.y) : vec2(next.x, ends.y);
-    vec4 start = vec4(valueAt(color, s.x).rgb, opacityAt(opacity, s.y));
-    vec4 end = vec4(valueAt(color, next.x).rgb, opacityAt(opacity, next.y));
-    light += (1.0 - light.a) * integrateLinear(start, end, (to - from) * depth);
-    if (atEnd)
+    LinearPart part = partFrom(s, front, back);
+    float to = greater(from, part.to);
+    light += (1.0 - light.a) * integrateLinear(part.start, part.end, (to - from) * depth);
+    if (part.atEnd)
     {
       break;
     }
-    s = next;
+    s = part.scalars;
     from = to;
   }
 }

@@ -27,6 +27,7 @@ float unity = 0.0; // RayCells.frag.glsl says why uniforms are copied
 //NEPHOSCOPE::CubicPieces
 //NEPHOSCOPE::CameraLight
 //NEPHOSCOPE::VoxelCells
+//NEPHOSCOPE::ThinPieces
 //NEPHOSCOPE::VoxelWalk
 
 void main()

@@ -39,17 +39,6 @@ void keepGrid()
   parityOffset = oddOffset * int(unity);
 }
 
-float lesserOf(vec3 v)
-{
-  float xy = v.x < v.y ? v.x : v.y;
-  return xy < v.z ? xy : v.z;
-}
-
-float lowestOf(vec4 v)
-{
-  return min(lesserOf(v.xyz), v.w);
-}
-
 int cellNumber()
 {
   ivec3 c = ivec3(cell);
@@ -86,9 +75,6 @@ float scalarAt(vec4 heights)
 {
   return dot(heights, -0.5 * evenScalars) + dot(max(heights, 0.0), bends);
 }
-
-// The ray in the present cell, between two ways: where its pieces begin and end, and the scalars there; those of a separate opacity.
-vec4 places = vec4(0.0), scalars = vec4(0.0), opacityScalarsHere = vec4(0.0);
 
 // `front` is the scalar at the first way, if that is known from the cell before.
 void findPieces(vec2 ways, bool isKnown, float front)
@@ -163,9 +149,8 @@ CubicField fieldInCell(FloatArray fieldSquares, vec2 ways)
   return fieldOfSquares(ways);
 }
 
-// In pieces as RayHexahedra.frag.glsl has them; three of them if there are more.
+// In pieces as RayHexahedra.frag.glsl has them.
 CubicField colorField = noField, opacityField = noField;
-float numberOfPieces = 3.0;
 vec2 waysInCell = vec2(0.0);
 
 // Way, scalar of the colour, scalar of the opacity.

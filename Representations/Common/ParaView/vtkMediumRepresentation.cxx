@@ -129,6 +129,17 @@ int vtkMediumRepresentation::MinimumOverRanks(int mine)
   return least;
 }
 
+double vtkMediumRepresentation::SumOverRanks(double mine)
+{
+  double sum = mine;
+  if (vtkMediumRepresentation::GetNumberOfRanks() > 1)
+  {
+    vtkMultiProcessController::GetGlobalController()->AllReduce(
+      &mine, &sum, 1, vtkCommunicator::SUM_OP);
+  }
+  return sum;
+}
+
 bool vtkMediumRepresentation::HoldsAnything(vtkDataObject* input)
 {
   const bool here = input &&

@@ -138,6 +138,8 @@ protected:
   static bool IsFirstRank();
   /** The minimum over the ranks. Called by all ranks. */
   static int MinimumOverRanks(int mine);
+  /** The sum over the ranks. Called by all ranks. */
+  static double SumOverRanks(double mine);
   /**
    * Whether the input of any rank, which may be null, has points or cells; what has not is reported
    * by whoever made it. Called by all ranks.
