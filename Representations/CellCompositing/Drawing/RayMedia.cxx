@@ -94,6 +94,8 @@ std::string MediaCalls(int count)
   return CallInstances("prepareMedia", "prepareMedium", "", "", count) +
     CallInstances("placeBesideOfMedia", "placeBeside", "", "", count) +
     CallInstances("startMedia", "startMedium", "", "", count) +
+    CallInstances("lookInMedia", "lookInMedium", place, "place", count) +
+    CallInstances("findInMedia", "findInMedium", place, "place", count) +
     CallInstances("goOnInMedia", "goOnInMedium", place, "place", count) +
     CallInstances("findEvents", "findEvent", place, "place", count) +
     CallInstances("addMedia", "addMedium", "float from, float to", "from, to", count) +

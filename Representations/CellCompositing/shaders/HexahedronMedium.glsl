@@ -27,10 +27,19 @@ bool crossNextCell(vec2 range)
   return found;
 }
 
-bool findSegment()
+bool findSegments()
 {
-  vec2 range = vec2(distanceAt(max(mediumRange.x, mediaRange.x)), distanceAt(mediumRange.y));
-  inSegment = inCell || crossNextCell(range);
+  inCell = crossNextCell(vec2(distanceAt(max(mediumRange.x, mediaRange.x)), distanceAt(mediumRange.y)));
+  return inCell;
+}
+
+bool hasSegments()
+{
+  return inCell;
+}
+
+void takeSegment()
+{
   float to = endOfPiece(numberOfPieces);
   vec3 back = placeInPieces(to);
   sampleFront = pieceFront.yz;
@@ -38,9 +47,8 @@ bool findSegment()
   segmentPlaces = vec2(placeAt(pieceFront.x), placeAt(back.x));
   pieceFront = back;
   partOfCell = to;
-  inCell = inSegment && to < 1.0;
-  cellIsDone = inSegment ? !inCell : cellIsDone;
-  return inSegment;
+  inCell = to < 1.0;
+  cellIsDone = !inCell;
 }
 
 void startMedium()

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
 // One of several media along a ray, in pieces over which its colour and extinction are linear, and gaps between them where nothing is seen.
-// A walk finds the segments over which its scalars are linear: TetrahedronMedium.glsl, HexahedronMedium.glsl, VoxelMedium.glsl. Every medium has all of these names with its
+// A walk finds cells, and the segments in them over which its scalars are linear: TetrahedronMedium.glsl, HexahedronMedium.glsl, VoxelMedium.glsl. Every medium has all of these names with its
 // number (ShaderInstance.h).
 // Places along the ray are distances from the plane in which the first medium's rays start, away from the eye.
 // Constants: mediumNumber, mayOverlapItself.
@@ -117,8 +117,11 @@ void takePiece()
 }
 #endif
 
-// Each walk has its own: takes the next segment in which something is seen. False: there is none.
-bool findSegment();
+// Each walk has its own: goes on to the next cell in which something is seen. False: there is none.
+bool findSegments();
+// There are segments of the cell to take.
+bool hasSegments();
+void takeSegment();
 
 void nextPiece()
 {
@@ -126,13 +129,8 @@ void nextPiece()
   mediumFront = mediumBack = vec4(0.0);
   if (!inSegment)
   {
-    mediumEnds = mediumEnds || !findSegment();
-    if (mediumEnds)
-    {
-      inSegment = false;
-      pieceTo = 3.0e38;
-      return;
-    }
+    takeSegment();
+    inSegment = true;
     startPieces();
     if (segmentPlaces.x > pieceFrom)
     {
@@ -163,13 +161,34 @@ void placeMedium()
 //------------------------------------------------------------------------------------------------
 // What RayMedia.frag.glsl does with all media.
 
+bool lacksSegments(float place)
+{
+  return pieceTo <= place && !mediumEnds && !inSegment && !hasSegments();
+}
+
+void lookInMedium(float place)
+{
+  mediaWait = mediaWait || lacksSegments(place);
+}
+
+void findInMedium(float place)
+{
+  if (lacksSegments(place) && !findSegments())
+  {
+    mediumEnds = true;
+    pieceFrom = pieceTo;
+    pieceTo = 3.0e38;
+    mediumFront = mediumBack = vec4(0.0);
+  }
+  lostMedium = walkIsLost ? mediumNumber : lostMedium;
+}
+
 void goOnInMedium(float place)
 {
   if (pieceTo <= place && !mediumEnds)
   {
     nextPiece();
   }
-  lostMedium = walkIsLost ? mediumNumber : lostMedium;
 }
 
 // Up to where the medium stays as it is at a place.
@@ -211,7 +230,7 @@ void finishMedium(float place)
       fitHaze(part.x, part.y - part.x);
       addMixture(part.x, part.y);
     }
-    nextPiece();
-    lostMedium = walkIsLost ? mediumNumber : lostMedium;
+    findInMedium(pieceTo);
+    goOnInMedium(pieceTo);
   }
 }

@@ -23,6 +23,7 @@ vec2 mediaRange = vec2(0.0); // places of this round
 float mediaEnd = 0.0;        // nothing is seen behind
 int lostMedium = -1;         // the walk through its mesh is lost
 bool isLastAttempt = false;
+bool mediaWait = false; // for a cell of one
 float nextPlace = 0.0;
 
 vec4 mixedLight = vec4(0.0);
@@ -74,27 +75,45 @@ bool isTransparent()
   return transparencyOf(mixedLight) > 1.0e-7;
 }
 
-// From a place to an end, if that is near; returns how far.
+// To the next place where a medium has a new piece, but no further than to the end.
+void addEvent(float end, inout float place)
+{
+  closeSlices(mixedLight, place);
+  goOnInMedia(place);
+  nextPlace = endInSlice(end);
+  findEvents(place);
+  if (nextPlace > place)
+  {
+    clearMixture();
+    addMedia(place, nextPlace);
+    addMixture(place, nextPlace);
+    place = nextPlace;
+  }
+}
+
+// From a place to an end, if that is near; returns how far. Software computes both sides of every test: looking for cells is apart from
+// integrating the pieces of those that are found.
 float walkTo(float end, float from)
 {
   const int eventsAtOnce = useHaze ? 32 : 1 << 20;
+  const int piecesAtOnce = 16;
   float place = from;
   for (int i = 0; i < eventsAtOnce && place < end && isTransparent(); ++i)
   {
-    closeSlices(mixedLight, place);
-    goOnInMedia(place);
+    findInMedia(place);
     if (lostMedium >= 0 && !isLastAttempt)
     {
       break;
     }
-    nextPlace = endInSlice(end);
-    findEvents(place);
-    if (nextPlace > place)
+    for (int k = 0; k < piecesAtOnce && place < end && isTransparent(); ++k)
     {
-      clearMixture();
-      addMedia(place, nextPlace);
-      addMixture(place, nextPlace);
-      place = nextPlace;
+      mediaWait = false;
+      lookInMedia(place);
+      if (mediaWait)
+      {
+        break;
+      }
+      addEvent(end, place);
     }
   }
   return place;

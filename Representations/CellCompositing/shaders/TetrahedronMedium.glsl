@@ -11,10 +11,17 @@ float farthestBeside(ivec3 triangle)
 
 //NEPHOSCOPE::MediumBeside
 
-bool mustGoOn = false; // from the tetrahedron of the present segment
+bool mustGoOn = false;  // from the tetrahedron of the present segment
+bool isFound = false; // a tetrahedron is found whose segment is still to be taken
 
-void sampleTetrahedron()
+bool hasSegments()
 {
+  return isFound;
+}
+
+void takeSegment()
+{
+  isFound = false;
   sampleFront = segmentFront.yz;
   sampleBack = segmentBack.yz;
   if (useCellScalars)
@@ -34,7 +41,7 @@ void sampleTetrahedron()
 }
 
 // Walks to the next tetrahedron in which something is seen. False: there is none.
-bool findSegment()
+bool findSegments()
 {
   float begin = distanceAt(max(mediumRange.x, mediaRange.x));
   float end = distanceAt(mediumRange.y);
@@ -52,13 +59,13 @@ bool findSegment()
     else
     {
       crossTetrahedron(ahead);
-      if (segmentBack.x > begin)
+      inSegment = false;
+      isFound = segmentBack.x > begin;
+      if (isFound)
       {
-        sampleTetrahedron();
         mustGoOn = true;
         return true;
       }
-      inSegment = false;
     }
     if (walkIsLost || !goOn() || lesser(walkA.place.z, lesser(walkB.place.z, walkC.place.z)) >= end)
     {
@@ -72,7 +79,7 @@ void startMedium()
 {
   makeRay(beside);
   placeMedium();
-  mustGoOn = walkIsLost = layerIsKnown = false;
+  mustGoOn = walkIsLost = layerIsKnown = isFound = false;
   jumpFace = -1;
   int face_ = faceOfFloat(entered[mediumNumber]);
   if (face_ >= 0)
@@ -82,7 +89,7 @@ void startMedium()
   else if (face_ == -2)
   {
     startInEyeTetrahedron();
-    sampleTetrahedron();
+    takeSegment();
     startPieces();
     pieceTo = segmentPlaces.x;
     inSegment = !isHidden();

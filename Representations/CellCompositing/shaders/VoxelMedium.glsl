@@ -26,7 +26,7 @@ float way = 0.0;
 float piecesDone = 0.0, piecesFound = 0.0; // of the present cell
 
 // The pieces of the next cell in which something is seen. False: there is none.
-bool findCell()
+bool findSegments()
 {
   for (int i = 0; i < maximumSteps && way < waysInBox.y && isInBox(); ++i)
   {
@@ -48,15 +48,18 @@ bool findCell()
   return false;
 }
 
-bool findSegment()
+bool hasSegments()
 {
-  inSegment = piecesDone < piecesFound || findCell();
+  return piecesDone < piecesFound;
+}
+
+void takeSegment()
+{
   sampleFront = vec2(scalars.x, separateOpacity ? opacityScalarsHere.x : scalars.x);
   sampleBack = vec2(scalars.y, separateOpacity ? opacityScalarsHere.y : scalars.y);
   segmentPlaces = vec2(placeAt(places.x), placeAt(places.y));
   passPiece(piecesDone);
   piecesDone += 1.0;
-  return inSegment;
 }
 
 void prepareMedium()
