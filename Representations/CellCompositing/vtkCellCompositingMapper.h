@@ -6,10 +6,11 @@
  *
  * Every pixel's ray walks through the mesh from cell to cell, front to back. In every cell the
  * transfer functions are looked up in float, and emission and extinction are integrated between the
- * two ends to float accuracy. 3-D cells must be convex; they are divided into tetrahedra with a
- * linear scalar, or drawn as their trilinear field (SetCellInterpolation). The sum is a 32-bit
- * float image that is laid over the scene. Nothing is sorted, and contour surfaces, layers and
- * polygons (vtkCellContourMapper) are found along the rays.
+ * two ends to float accuracy. 3-D cells must be convex. Hexahedra, voxels, wedges and pyramids have
+ * their trilinear field; others are divided into tetrahedra with a linear scalar
+ * (SetCellInterpolation). The sum is a 32-bit float image that is laid over the scene. Nothing is
+ * sorted, and contour surfaces, layers and polygons (vtkCellContourMapper) are found along the
+ * rays.
  *
  * - Extinction per unit world length = opacity function value * OpacityScale /
  *   ScalarOpacityUnitDistance (a rate, as in VTK's other unstructured volume mappers, not -log(1 -
