@@ -216,11 +216,7 @@ bool CellGeometry::CountOfCells(vtkDataSet* data, const ScalarSelection& scalars
       if (outcome == CellOutcome::Unsupported)
       {
         ++unsupported;
-        const int type = data->GetCellType(cell);
-        int known = unsupportedType;
-        while (type > known && !unsupportedType.compare_exchange_weak(known, type))
-        {
-        }
+        RaiseTo(unsupportedType, data->GetCellType(cell));
       }
     }
   });

@@ -16,6 +16,15 @@
 namespace nephoscope
 {
 
+/** Several threads may do it. */
+inline void RaiseTo(std::atomic<int>& greatest, int number)
+{
+  int known = greatest;
+  while (number > known && !greatest.compare_exchange_weak(known, number))
+  {
+  }
+}
+
 enum class CellOutcome
 {
   Decomposed,

@@ -6,9 +6,10 @@
 #include "CellWalker.h"
 #include "ChessboardDivision.h"
 #include "HexahedronNeighbors.h"
+#include "TetrahedraAmongCells.h"
 
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkDataSet.h"
 
 #include <atomic>
@@ -25,8 +26,9 @@ bool AreHexahedra(vtkDataSet* data)
   for (vtkIdType cell = 0; cell < n && !other; ++cell)
   {
     const int type = data->GetCellType(cell);
-    other = HexahedronFormOf(type).Tetrahedra == 0 && type != VTK_EMPTY_CELL;
-    tetrahedra = tetrahedra && (type == VTK_TETRA || type == VTK_EMPTY_CELL);
+    const bool isSolid = HexahedronFormOf(type).Tetrahedra > 0;
+    other = !isSolid && IsOtherSolid(type);
+    tetrahedra = tetrahedra && (type == VTK_TETRA || !isSolid);
   }
   return !other && !tetrahedra;
 }
@@ -43,7 +45,8 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
   }
   const std::size_t n = static_cast<std::size_t>(data->GetNumberOfCells());
   std::vector<std::int32_t> first(n + 1, 0); // first[cell]: where the cell goes
-  std::atomic<std::int64_t> invalid(0), tetrahedra(0);
+  std::atomic<std::int64_t> invalid(0), tetrahedra(0), unsupported(0);
+  std::atomic<int> unsupportedType(0);
   ShapeCounts shapes;
   const auto look = [&](std::size_t begin, std::size_t end) {
     CellWalker walker(data, *this, scalars, opacity);
@@ -51,13 +54,19 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
     {
       const CellOutcome outcome = walker.Look(static_cast<vtkIdType>(cell));
       invalid += outcome == CellOutcome::Invalid;
-      first[cell + 1] = outcome == CellOutcome::Decomposed;
-      if (outcome == CellOutcome::Decomposed)
+      const int type = data->GetCellType(static_cast<vtkIdType>(cell));
+      const bool isSolid = HexahedronFormOf(type).Tetrahedra > 0;
+      first[cell + 1] = isSolid && outcome == CellOutcome::Decomposed;
+      if (first[cell + 1])
       {
         shapes.Add(walker.FindShape(static_cast<vtkIdType>(cell)), static_cast<vtkIdType>(cell));
       }
-      tetrahedra += first[cell + 1] *
-        HexahedronFormOf(data->GetCellType(static_cast<vtkIdType>(cell))).Tetrahedra;
+      tetrahedra += first[cell + 1] * HexahedronFormOf(type).Tetrahedra;
+      if (!isSolid && outcome == CellOutcome::Decomposed && type != VTK_EMPTY_CELL)
+      {
+        ++unsupported;
+        RaiseTo(unsupportedType, type);
+      }
     }
   };
   if (!ForRanges(n, progress.Part(0, 0.5), look))
@@ -65,6 +74,8 @@ bool CellGeometry::UseHexahedra(vtkDataSet* data, const ScalarSelection& scalars
     return false;
   }
   this->NumberOfInvalidCells = invalid;
+  this->NumberOfUnsupportedCells = unsupported;
+  this->UnsupportedCellType = unsupportedType;
   this->CountShapes(shapes);
   this->TetrahedraOfHexahedra = tetrahedra;
   return this->ListHexahedra(data, first, nullptr, scalars, opacity, progress.Part(0.5, 1));

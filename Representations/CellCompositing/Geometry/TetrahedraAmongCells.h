@@ -1,21 +1,39 @@
 // SPDX-FileCopyrightText: The Nephoscope authors
 // SPDX-License-Identifier: BSD-3-Clause
-/** Whether a mesh is drawn as tetrahedra by default, since most of its cells are, or are pieces of
- * some. */
+/**
+ * Whether a mesh is drawn as tetrahedra: because some of its cells have no trilinear field, or by
+ * default because most of its cells are tetrahedra or pieces of some.
+ */
 #ifndef nephoscope_TetrahedraAmongCells_h
 #define nephoscope_TetrahedraAmongCells_h
 
+#include "HexahedronForm.h"
+
+#include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArrayRange.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 namespace nephoscope
 {
+
+/** A 3-D cell of another kind than hexahedra, voxels, wedges, pyramids and tetrahedra. */
+inline bool IsOtherSolid(int cellType)
+{
+  if (HexahedronFormOf(cellType).Tetrahedra > 0)
+  {
+    return false;
+  }
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(cellType));
+  return !cell || cell->GetCellDimension() == 3;
+}
 
 /**
  * The number of tetrahedra minus that of other cells: positive if most are tetrahedra. Parts of a
@@ -35,7 +53,10 @@ inline std::int64_t TetrahedraBeyondOthers(vtkDataSet* data)
     return data->GetNumberOfCells();
   }
   const auto all = vtk::DataArrayValueRange<1>(types);
-  return 2 * static_cast<std::int64_t>(std::count(all.begin(), all.end(), VTK_TETRA)) - all.size();
+  return std::accumulate(all.begin(), all.end(), std::int64_t(0), [](std::int64_t sum, int type) {
+    const bool isSolid = HexahedronFormOf(type).Tetrahedra > 0;
+    return sum + (type == VTK_TETRA ? 1 : isSolid ? -1 : 0);
+  });
 }
 
 } // namespace nephoscope

@@ -3,7 +3,7 @@
 #include "VolumetricCells.h"
 
 #include "DataBlocks.h"
-#include "HexahedronForm.h"
+#include "TetrahedraAmongCells.h"
 #include "TetrahedronSource.h"
 
 #include "vtkCellData.h"
@@ -172,7 +172,7 @@ WholeCells FormOfWholeCells(vtkUnstructuredGrid* cells)
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     const int type = cells->GetCellType(cell);
-    if (HexahedronFormOf(type).Tetrahedra == 0 && type != VTK_EMPTY_CELL)
+    if (IsOtherSolid(type))
     {
       return WholeCells::Tetrahedra;
     }

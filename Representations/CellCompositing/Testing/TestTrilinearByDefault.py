@@ -12,7 +12,7 @@ from TestDividedHexahedra import listed
 from nephoscope_testing.transfer import Transfer
 from TestTrilinearCells import CLEAR_BELOW, COLOURS, VIEWS, Drawn, bent, shell, smooth, steep, tapered, turned, unstructured, with_values
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import VTK_WEDGE, vtkDataSetAttributes
+from vtkmodules.vtkCommonDataModel import VTK_LINE, VTK_QUAD, VTK_VERTEX, VTK_WEDGE, vtkDataSetAttributes
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 TETRAHEDRA, TRILINEAR, AUTOMATIC = range(3)
@@ -72,6 +72,17 @@ class TrilinearByDefault(unittest.TestCase):
         self.assert_is(mixture(5, 1), TRILINEAR, TETRAHEDRA, transfer)
         self.assert_is(mixture(4, 1), TETRAHEDRA, TRILINEAR, transfer)
         self.assert_is(mixture(1, 5), TETRAHEDRA, TRILINEAR, transfer)
+
+    def test_cells_that_are_not_drawn(self):
+        """A line, a point and a quadrilateral among hexahedra, as mesh generators leave them there, are told and change nothing."""
+        data = turned(with_values(tapered(), steep))
+        cells = [(data.GetCellType(i), [data.GetCell(i).GetPointId(k) for k in range(8)]) for i in range(data.GetNumberOfCells())]
+        others = [(VTK_LINE, [0, 1]), (VTK_VERTEX, [2]), (VTK_QUAD, cells[0][1][:4])]
+        mixed = meshes.grid(meshes.points_of(data), others[:2] + cells + others[2:])
+        mixed.GetPointData().ShallowCopy(data.GetPointData())
+        drawn = Drawn(mixed, CLEAR_BELOW, trilinear=AUTOMATIC)
+        self.assertEqual(np.abs(drawn.picture() - Drawn(data, CLEAR_BELOW, trilinear=AUTOMATIC).picture()).max(), 0)
+        self.assertIn("2 cells are not drawn", "".join(drawn.window.messages.all))
 
     def follow(self, data, changes, **settings):
         drawn = Drawn(data, CLEAR_BELOW, trilinear=AUTOMATIC, **settings)
