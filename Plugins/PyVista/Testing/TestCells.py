@@ -63,6 +63,16 @@ class Accepted(Cells):
         self.assertAlmostEqual(prop.GetScalarOpacity().GetValue(3), 0.5, delta=1 / 255)
         np.testing.assert_allclose(prop.GetRGBTransferFunction().GetColor(5), (0.5,) * 3, atol=0.01)
 
+    def test_opacity_beside_a_table(self):
+        """What is given counts; the opacities of the table are taken otherwise, and it is not changed."""
+        table = pyvista.LookupTable(cmap=["black", "white"], scalar_range=(0, 10))
+        table.apply_opacity(0.5)
+        before = np.array(table.values)
+        for opacity, expected in (([0, 1], (0, 0.5, 1)), (0.1, (0.1, 0.1, 0.1)), (None, (0.5, 0.5, 0.5))):
+            function = self.add(cmap=table, opacity=opacity).prop.GetScalarOpacity()
+            np.testing.assert_allclose([function.GetValue(s) for s in (0, 5, 10)], expected, atol=0.01)
+            np.testing.assert_array_equal(table.values, before)
+
     def test_opacity_of_another_array(self):
         volume = self.add(opacity_scalars="layer", opacity="linear")
         self.assertEqual(volume.mapper.GetOpacityArrayName(), "layer")

@@ -322,6 +322,7 @@ class Functions:
     preset: str | bool | None = None
     fainter: float = 1.0  # multiplies the default unit distance
     component: int | None = None  # of vectors; None: their magnitude
+    opacity_of_table: bool = False  # found when the defaults are
 
     def attach(self, mapper: MediumMapper, plotter: pyvista.BasePlotter, grid: pyvista.DataSet, name: str, association: str,
                preference: str, unit_distance: float | None) -> pyvista.VolumeProperty:
@@ -385,6 +386,7 @@ class Functions:
         if chosen is not None:
             self.cmap = chosen.colour_map(is_bright(plotter.background_color)) if self.cmap is None else self.cmap
             self.clim = chosen.clim(values_over_time(grid, name, association, self.component)) if self.clim is None else self.clim
+        self.opacity_of_table = self.opacity is None and isinstance(self.cmap, pyvista.LookupTable)
         if self.opacity is None:
             self.opacity = chosen.opacity_values() if ours else "linear"
 
@@ -395,11 +397,12 @@ class Functions:
                             log_scale=self.log_scale)
 
     def _opacities(self, table: pyvista.LookupTable) -> np.ndarray:
-        """Opacities at equal steps, from `cmap` if it is a table. Otherwise they are also written to the scalar bar, if they belong to its array."""
-        if table is self.cmap:
+        """Opacities at equal steps, from `cmap` if it is a table and none are given. Those of other tables are also written to the scalar bar, if they
+        belong to its array."""
+        if self.opacity_of_table:
             return np.resize(np.asarray(table.values)[:, 3] / 255.0, max(table.n_values, 2))
         opacities = opacity_values(self.opacity, self.n_colors)
-        if self.opacity_scalars is None and np.any(opacities):  # vectors only: their colours are in the bar
+        if table is not self.cmap and self.opacity_scalars is None and np.any(opacities):  # vectors only: their colours are in the bar
             steps = np.linspace(0, 1, table.n_values)
             table.values[:, 3] = np.rint(255 * np.interp(steps, np.linspace(0, 1, len(opacities)), opacities))
         return opacities

@@ -88,7 +88,8 @@ def add_cells(plotter: pyvista.BasePlotter, grid: Any, scalars: str | np.ndarray
         without arrays: the theme's colour of meshes.
     cmap : str, list or pyvista.LookupTable, optional
         Colour map of the medium's emission; the name of a `preset` selects its colours. Default: the preset's, otherwise the theme's. A
-        LookupTable also sets range and scale, and the colours and opacities beyond its range: ``below_range_color``, ``above_range_color``.
+        LookupTable also sets range and scale, the opacities unless `opacity` is given, and the colours and opacities beyond its range:
+        ``below_range_color``, ``above_range_color``.
     opacity : str, float or sequence of float, optional
         A name: ``'linear'``, ``'geom'``, ``'sigmoid'``, ``'sigmoid_5'``, ..., each also with ``'_r'``, or ``'foreground'``; one value; or values
         from 0 to 1 at equal steps over `clim`. Evaluated in floating point, not in 8 bits. Opacities of points or cells are an array of the grid,
