@@ -195,6 +195,11 @@ LinearPart partFrom(vec2 s, vec2 front, vec2 back)
   to = lesser(to, 1.0);
   vec2 next = atEnd ? back : mix(front, back, to);
   next = atEnd ? next : leave.x <= leave.y ? vec2(ends.x, next.y) : vec2(next.x, ends.y);
+  // Rounding must not lead back across a node: two nodes at one place would be crossed by turns.
+  next.x = upX ? greater(next.x, s.x) : lesser(next.x, s.x);
+#ifdef SMALL_OPACITY_TABLE
+  next.y = upY ? greater(next.y, s.y) : lesser(next.y, s.y);
+#endif
   vec4 start = valueAt(color, s.x), end = valueAt(color, next.x);
 #ifdef SMALL_OPACITY_TABLE
   start.a = opacityAt(opacity, s.y);
