@@ -177,7 +177,7 @@ class ShaderSources(unittest.TestCase):
                 window.window.RemoveRenderer(scene.renderer)
             self.collect(window)
         print(f"  {self.compiled} shaders")
-        for walk in ("bool findCell_", "bool crossNextCell_", "void sampleTetrahedron_"):
+        for walk in ("float piecesDone_", "bool crossNextCell_", "bool isFound_"):
             self.assertTrue(any(walk in text for text in self.fragments), walk)
         self.assertTrue(any("#define IN_SLICES" in text for text in self.fragments))
 
