@@ -157,8 +157,8 @@ public:
    * The scalar inside hexahedra, voxels, wedges and pyramids, where it belongs to points. Default:
    * automatic.
    * - Automatic: trilinear, except in unstructured meshes of which more than half of the cells are
-   *   tetrahedra, and in pieces of vtkContourCellSplitter; in these too, if some cells are so
-   * warped that their tetrahedra would overlap.
+   *   tetrahedra, and in pieces of vtkContourCellSplitter. Those are trilinear too if the
+   *   tetrahedra of some cells would overlap.
    * - Tetrahedra: linear in the tetrahedra into which cells are divided: hexahedra with alternating
    *   diagonals, the same in structured and unstructured data; by coordinates in meshes with other
    *   cells among them or with rings of an odd number of cells.

@@ -116,7 +116,7 @@ public:
   std::int64_t NumberOfInvalidCells = 0;     ///< a coordinate or scalar is not finite
   std::int64_t NumberOfWarpedCells = 0; ///< not polyhedra, not folded: their tetrahedra overlap
   std::int64_t NumberOfMisnumberedCells = 0; ///< drawn with their points in a better order
-  bool MostAreTetrahedra = false;            ///< of the cells of unstructured data
+  bool MostAreTetrahedra = false;            ///< or are pieces of some
   std::int64_t NumberOfFoldedCells = 0;      ///< over themselves, in any order of their points
   std::int64_t FirstFoldedCell = -1;         ///< of both kinds; -1: none
   std::int64_t NumberOfNonConvexCells =

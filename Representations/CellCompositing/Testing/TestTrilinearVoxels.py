@@ -11,7 +11,7 @@ from nephoscope_testing.offscreen import Window
 from nephoscope_testing.transfer import Transfer
 from TestTrilinearCells import CLEAR_BELOW, COLOURS, RAMP, STEP, VIEWS, Drawn, dense, even, smooth, steep, trilinear_field, unstructured, with_values
 
-MANY = np.linspace(0, 1, 40)  # more nodes than are kept as uniforms
+MANY = np.linspace(0, 1, 80)  # more nodes than are kept as uniforms, and too curved to be joined to few
 FETCHED = Transfer(np.column_stack([MANY, MANY, 1 - MANY, 0.5 + 0.5 * np.sin(9 * MANY)]), np.column_stack([MANY, 0.5 + 0.5 * np.cos(7 * MANY)]), unit_distance=0.4)
 FUNCTIONS = dict(ramp=RAMP, clear_below=CLEAR_BELOW, fetched=FETCHED,
                  spike=Transfer(COLOURS, [(0, 0), (0.4, 0), (0.42, 1), (0.44, 0), (1, 0)], unit_distance=0.02))

@@ -16,9 +16,6 @@ bool crossNextCell(vec2 range)
   {
     if (findCell(range, inside))
     {
-      seeAhead();
-      seeScalars();
-      exitOfCell = leaveCell();
       crossCell();
       found = ringPass.x > range.x;
       cellIsDone = !found;

@@ -139,6 +139,9 @@ bool cellIsDone = false;
 // Finds the pieces of the cell.
 void crossCell()
 {
+  seeAhead();
+  seeScalars();
+  exitOfCell = leaveCell();
   if (!ringIsKnown)
   {
     ringPlace = placeInRing();
@@ -328,9 +331,6 @@ bool walkThin(vec2 range, inout bool inside)
   {
     if (findCell(range, inside))
     {
-      seeAhead();
-      seeScalars();
-      exitOfCell = leaveCell();
       crossCell();
       waits = !addThinCell(range);
       inCell = waits;

@@ -11,8 +11,8 @@ float farthestBeside(ivec3 triangle)
 
 //NEPHOSCOPE::MediumBeside
 
-bool mustGoOn = false;  // from the tetrahedron of the present segment
-bool isFound = false; // a tetrahedron is found whose segment is still to be taken
+bool mustGoOn = false; // from the tetrahedron of the present segment
+bool isFound = false;  // a tetrahedron is found whose segment is still to be taken
 
 bool hasSegments()
 {
