@@ -34,6 +34,20 @@ vtkStandardNewMacro(vtkCellCompositingMapper);
 
 namespace
 {
+/** Mesa's software OpenGL ends the loops of a shader after 65,535 rounds in all. */
+std::string LongRays(const nephoscope::CellGeometry& geometry, bool trilinear)
+{
+  const int* size = geometry.Grid.Size;
+  const int longest = std::max({ size[0], size[1], size[2] }) - 1;
+  const int most = geometry.Lattice.Found ? 20000 : trilinear ? 10000 : 6000;
+  return longest <= most || geometry.Grid.IsEmpty() || !nephoscope::IsSoftwareOpenGL()
+    ? std::string()
+    : "Rays along the " + std::to_string(longest) +
+      " cells of the grid's longest axis lose what lies behind about " + std::to_string(most) +
+      " cells: software OpenGL ends long loops. Do not look along this axis, take a part of the grid or every "
+      "other point, or use a graphics card.";
+}
+
 /** What neither projection nor triangles and faces draw, and these alone. */
 std::string LeftOut(
   const nephoscope::CellDrawingOptions& options, const CellScene& scene, bool projected)
@@ -292,8 +306,9 @@ std::string vtkCellCompositingMapper::DrawScene(vtkOpenGLRenderWindow* window, v
           "Projected cells, triangles and faces cannot be drawn between peeled surfaces: choose "
           "another method, or call UseDepthPeelingForVolumesOff() of the renderer.");
   }
-  const std::string warning =
-    this->UsesRays() ? std::string() : LeftOut(options, scene, !this->DrawsTrianglesOrFaces());
+  const std::string warning = this->UsesRays()
+    ? LongRays(scene.GetGeometry(), options.Trilinear)
+    : LeftOut(options, scene, !this->DrawsTrianglesOrFaces());
   if (this->Internals->LastWarning.IsNew(warning)) // once, not once per frame
   {
     vtkWarningMacro(<< warning);

@@ -408,6 +408,7 @@ private:
   std::string SelectContours(vtkDataSet* input, const nephoscope::ScalarSelection& scalars,
     nephoscope::ScalarSelection& contoured);
   std::string SelectLayers(vtkDataSet* input, vtkDataArray*& layers);
+  void WarnAboutInterpolation(vtkDataSet* input, const nephoscope::CellGeometry& geometry);
   void WarnAboutGeometry(vtkDataSet* input, const nephoscope::CellGeometry& geometry,
     const nephoscope::ScalarSelection& scalars, const nephoscope::ScalarSelection& opacity);
   void WarnAboutFolds(vtkDataSet* input, const nephoscope::CellGeometry& geometry);

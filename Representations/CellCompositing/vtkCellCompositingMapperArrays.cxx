@@ -9,6 +9,7 @@
 #include "CellGeometry.h"
 #include "ContourSettings.h"
 #include "PointGradients.h"
+#include "TetrahedraAmongCells.h"
 #include "UniformMedium.h"
 
 #include "vtkAbstractMapper.h"
@@ -23,6 +24,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #if __has_include("vtkCellTypeUtilities.h") // VTK 9.6 deprecates the name lookup of vtkCellTypes
@@ -174,6 +176,7 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
          "layers and polygons without these cells.");
   }
   this->WarnAboutFolds(input, geometry);
+  this->WarnAboutInterpolation(input, geometry);
   // On several processes one may have copies of the others' cells alone.
   const bool isTold = geometry.NumberOfInvalidCells + geometry.NumberOfUnsupportedCells > 0;
   if (geometry.NumberOfTetrahedra() == 0 && input->GetNumberOfCells() > 0 && !isTold &&
@@ -184,6 +187,36 @@ void vtkCellCompositingMapper::WarnAboutGeometry(vtkDataSet* input, const CellGe
       ? "the only cell is hidden or has no volume."
       : "of " + std::to_string(count) + " cells, all are hidden or have no volume.";
     vtkWarningMacro(<< "Nothing is drawn: " << which);
+  }
+}
+
+// Trilinear cells were asked for, and the mesh has none.
+void vtkCellCompositingMapper::WarnAboutInterpolation(
+  vtkDataSet* input, const CellGeometry& geometry)
+{
+  if (this->CellInterpolation != TRILINEAR_INTERPOLATION || geometry.NumberOfTetrahedra() == 0)
+  {
+    return;
+  }
+  const std::set<int> types = nephoscope::CellTypesOf(input);
+  std::string reason;
+  bool isDivided = types.empty(); // cells that have a trilinear field
+  for (const int type : types)
+  {
+    isDivided =
+      isDivided || (type != VTK_TETRA && nephoscope::HexahedronFormOf(type).Tetrahedra > 0);
+    reason = nephoscope::IsOtherSolid(type) ? std::string("there are others among them (") +
+        CellTypeNames::GetClassNameFromTypeId(type) + "). Draw these as a dataset of their own."
+                                            : reason;
+  }
+  if (this->HasPolygonsOrLayers())
+  {
+    reason = "polygons in faces and layers need it.";
+  }
+  if (isDivided && !reason.empty())
+  {
+    vtkWarningMacro(<< "No cell is drawn as trilinear: all are divided into tetrahedra, because "
+                    << reason);
   }
 }
 
@@ -278,7 +311,7 @@ void vtkCellCompositingMapper::WarnAboutPolygons()
   const bool asked = this->GetPolygons() == CONTOUR_POLYGONS;
   const std::string others = asked && polygons.NumberOfOthers > 0
     ? notDrawn(polygons.NumberOfOthers) +
-      "call SetPolygonsToAll() to composite those that lie in faces of cells."
+      "call SetPolygonsToAll() to composite those that lie in faces of cells, or leave them out of the mesh."
     : "";
   const std::string apart = polygons.NumberApart > 0
     ? notDrawn(polygons.NumberApart) + (polygons.NumberApart == 1 ? "it does" : "they do") +

@@ -25,17 +25,12 @@
 
 namespace nephoscope
 {
-namespace
-{
-// Where uniforms are worth a copy (RayCells.frag.glsl); a GPU would keep the copies in registers
-// that it has too few of.
 bool IsSoftwareOpenGL()
 {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   const std::string renderer = name ? name : "";
   const auto has = [&](const char* part) { return renderer.find(part) != std::string::npos; };
   return has("llvmpipe") || has("softpipe") || has("SWR");
-}
 }
 
 std::string CellDrawing::OwnConstants() const

@@ -28,6 +28,12 @@ struct EyeTetrahedron;
 
 using CellView = SceneView;
 
+/**
+ * The current context computes on the processor. Uniforms are then worth a copy
+ * (RayCells.frag.glsl); a GPU would keep the copies in registers that it has too few of.
+ */
+bool IsSoftwareOpenGL();
+
 struct CellDrawingOptions
 {
   CellMethod Method = CellMethod::Cells;

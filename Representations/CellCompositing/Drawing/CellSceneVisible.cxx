@@ -194,7 +194,7 @@ void CellScene::FindVisibleOfGrid()
   else
   {
     std::transform(marks.begin(), marks.end(), marks.begin(),
-      [](std::uint8_t visible) { return std::uint8_t(1 - visible); });
+      [](std::uint8_t mark) { return std::uint8_t(1 - mark); });
   }
   this->ClearDistances = std::move(marks);
   this->NumberOfVisible = visible.Tetrahedra;

@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <numeric>
+#include <set>
 
 namespace nephoscope
 {
@@ -33,6 +34,19 @@ inline bool IsOtherSolid(int cellType)
   }
   const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(cellType));
   return !cell || cell->GetCellDimension() == 3;
+}
+
+/** The types of the cells of an unstructured mesh; none for other datasets. */
+inline std::set<int> CellTypesOf(vtkDataSet* data)
+{
+  auto* unstructured = vtkUnstructuredGrid::SafeDownCast(data);
+  vtkUnsignedCharArray* types = unstructured ? unstructured->GetCellTypesArray() : nullptr;
+  std::set<int> result;
+  for (vtkIdType i = 0; types && i < types->GetNumberOfTuples(); ++i)
+  {
+    result.insert(types->GetValue(i));
+  }
+  return result;
 }
 
 /**

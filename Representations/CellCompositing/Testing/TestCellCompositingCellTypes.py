@@ -130,6 +130,38 @@ class CellTypes(ImageTestCase):
             self.assertEqual(kinds, {data_model.VTK_PENTAGONAL_PRISM, data_model.VTK_HEXAGONAL_PRISM})
             self.check(data, random_transfer(np.random.default_rng(seed), 5, max_extinction=2), f"honeycomb, seed {seed}")
 
+    def test_trilinear_among_others(self):
+        """Trilinear cells that were asked for, and are not drawn, are named."""
+        def warnings(*kinds, trilinear=True):
+            numbers = iter(range(100))
+            cells, points = [], []
+            for kind in kinds:
+                source = vtkCellTypeSource()
+                source.SetCellType(kind)
+                source.SetBlocksDimensions(1, 1, 1)
+                source.Update()
+                one = source.GetOutput()
+                first, at = len(points), next(numbers)
+                points.extend(meshes.points_of(one) + (2 * at, 0, 0))
+                for i in range(one.GetNumberOfCells()):
+                    ids = one.GetCell(i).GetPointIds()
+                    cells.append((kind, [first + ids.GetId(k) for k in range(ids.GetNumberOfIds())]))
+            data = meshes.with_field(meshes.grid(np.array(points), cells), lambda p: p[:, 0])
+            window = Window((8, 8))
+            scene = window.add_scene()
+            ours = mapper()
+            if trilinear:
+                ours.SetCellInterpolationToTrilinear()
+            scene.add_volume(ours, data, constant(1.0, (1, 1, 1)))
+            scene.look_at(data)
+            window.render()
+            return window.messages.all
+        self.assertRegex(warnings(data_model.VTK_HEXAHEDRON, data_model.VTK_HEXAGONAL_PRISM)[0],
+                         r"divided into tetrahedra, because there are others among them \(vtkHexagonalPrism\)")
+        self.assertEqual(warnings(data_model.VTK_HEXAHEDRON, data_model.VTK_HEXAGONAL_PRISM, trilinear=False), [])
+        self.assertEqual(warnings(data_model.VTK_HEXAHEDRON, data_model.VTK_TETRA), [])
+        self.assertEqual(warnings(data_model.VTK_HEXAGONAL_PRISM), [])
+
 
 if __name__ == "__main__":
     unittest.main(verbosity=2)

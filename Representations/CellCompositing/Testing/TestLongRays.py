@@ -62,5 +62,31 @@ class LongRays(unittest.TestCase):
         self.check("tetrahedra", tetrahedra(grid))
 
 
+class TestTooLong(unittest.TestCase):
+    """Rays that software OpenGL would end are warned of, once."""
+
+    def warnings(self, data, divided=False):
+        window = Window((8, 8))
+        scene = window.add_scene()
+        ours = mapper()
+        if divided:
+            ours.SetCellInterpolationToTetrahedra()
+        scene.add_volume(ours, data, constant(1.0, (1, 1, 1)))
+        scene.look_at(data)
+        for _ in range(2):
+            window.render()
+        return window.messages.warnings
+
+    def test_long_grids(self):
+        for cells, data, divided in ((12000, stretched(12000), False), (7000, stretched(7000), True), (30000, even(30000), False)):
+            warnings = self.warnings(data, divided)
+            self.assertEqual(len(warnings), 1)
+            self.assertRegex(warnings[0], f"{cells} cells of the grid's longest axis")
+
+    def test_others(self):
+        self.assertEqual(self.warnings(stretched(7000)), [])
+        self.assertEqual(self.warnings(even(12000)), [])
+
+
 if __name__ == "__main__":
     unittest.main()
