@@ -43,7 +43,7 @@ std::string LongRays(const nephoscope::CellGeometry& geometry, bool trilinear)
   return longest <= most || geometry.Grid.IsEmpty() || !nephoscope::IsSoftwareOpenGL()
     ? std::string()
     : "Rays along the " + std::to_string(longest) +
-      " cells of the grid's longest axis lose what lies behind about " + std::to_string(most) +
+      " cells of the grid's longest axis may lose what lies behind some " + std::to_string(most) +
       " cells: software OpenGL ends long loops. Do not look along this axis, take a part of the grid or every "
       "other point, or use a graphics card.";
 }

@@ -273,8 +273,7 @@ def _refuse_values(grid: pyvista.DataSet, opacity: Any, n_colors: int) -> None:
             raise ValueError(f"opacity is {opacity!r}, the name of an array: pass opacity_scalars={opacity!r}. A name given as opacity is that of a function of the scalars.")
         return
     count = np.size(opacity) if opacity is not None else 0
-    ends = 2  # a list of two values is that of a function
-    if count <= ends or count not in (grid.n_points, grid.n_cells):
+    if count <= 2 or count not in (grid.n_points, grid.n_cells):  # two values are those of a function
         return
     arrays = [name for data in (grid.point_data, grid.cell_data) for name in data.keys() if np.shape(data[name]) == np.shape(opacity)
               and np.array_equal(data[name], opacity)]

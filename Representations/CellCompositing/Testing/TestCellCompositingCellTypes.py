@@ -133,15 +133,14 @@ class CellTypes(ImageTestCase):
     def test_trilinear_among_others(self):
         """Trilinear cells that were asked for, and are not drawn, are named."""
         def warnings(*kinds, trilinear=True):
-            numbers = iter(range(100))
             cells, points = [], []
-            for kind in kinds:
+            for at, kind in enumerate(kinds):
                 source = vtkCellTypeSource()
                 source.SetCellType(kind)
                 source.SetBlocksDimensions(1, 1, 1)
                 source.Update()
                 one = source.GetOutput()
-                first, at = len(points), next(numbers)
+                first = len(points)
                 points.extend(meshes.points_of(one) + (2 * at, 0, 0))
                 for i in range(one.GetNumberOfCells()):
                     ids = one.GetCell(i).GetPointIds()

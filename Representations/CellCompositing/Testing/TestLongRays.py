@@ -37,14 +37,19 @@ def tetrahedra(data):
     return filtered(unstructured(data), vtkDataSetTriangleFilter())
 
 
+def scene_of(data, divided):
+    window = Window((8, 8))
+    scene = window.add_scene()
+    ours = mapper()
+    if divided:
+        ours.SetCellInterpolationToTetrahedra()
+    scene.add_volume(ours, data, constant(1.0, (1, 1, 1)))
+    return window, scene, ours
+
+
 class LongRays(unittest.TestCase):
     def check(self, name, data, divided=False):
-        window = Window((8, 8))
-        scene = window.add_scene()
-        ours = mapper()
-        if divided:
-            ours.SetCellInterpolationToTetrahedra()
-        scene.add_volume(ours, data, constant(1.0, (1, 1, 1)))
+        window, scene, ours = scene_of(data, divided)
         for height, focus in ((5, 0), (-4, 1)):
             scene.look((0.02, 0.03, height), (0.02, 0.03, focus), (0, 1, 0), 5, None, near=1, far=9)
             window.render()
@@ -66,12 +71,7 @@ class TestTooLong(unittest.TestCase):
     """Rays that software OpenGL would end are warned of, once."""
 
     def warnings(self, data, divided=False):
-        window = Window((8, 8))
-        scene = window.add_scene()
-        ours = mapper()
-        if divided:
-            ours.SetCellInterpolationToTetrahedra()
-        scene.add_volume(ours, data, constant(1.0, (1, 1, 1)))
+        window, scene, _ = scene_of(data, divided)
         scene.look_at(data)
         for _ in range(2):
             window.render()
